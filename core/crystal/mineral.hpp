@@ -1,0 +1,29 @@
+// The minerals that ship with icespar: what a stone may be made of, by name.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "crystal/index.hpp"
+
+namespace icespar {
+
+/// One row of minerals.csv, whose sources and confidence are described beside it.
+struct Mineral {
+    std::string id, name, formula, crystal_system, optic;  ///< optic as in "uniaxial +"
+    std::vector<IndexFunction> indices;  ///< one: isotropic; two: n_o, n_e; three: n_alpha < n_beta < n_gamma
+    std::vector<double> indices_589;     ///< the published values at 589.3 nm, in the same order
+    double density = 0;                  ///< g/cm3
+    std::string confidence;
+};
+
+/// All minerals, in the order of the table.
+[[nodiscard]] std::span<const Mineral> minerals();
+
+/// By id or name, whatever the case; nothing when there is none.
+[[nodiscard]] const Mineral* find_mineral(std::string_view name);
+
+}  // namespace icespar

@@ -1,0 +1,105 @@
+// A scene as the renderer sees it: right-handed, everything in world coordinates.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "crystal/index.hpp"
+#include "math/transform.hpp"
+#include "polarisation/stokes.hpp"
+#include "spectrum/spectrum.hpp"
+#include "stone/stone.hpp"
+
+namespace icespar {
+
+/// Where a pixel's ray starts and goes, as POV-Ray's camera after look_at, with picture coordinates
+/// u right and v up, both from -1/2 to 1/2:
+///   perspective:   from location along direction + u right + v up
+///   orthographic:  from location + u right + v up along direction
+struct Camera {
+    enum class Kind { perspective, orthographic };
+    Kind kind = Kind::perspective;
+    Vec3 location{0, 0, 0};
+    Vec3 direction{0, 0, -1};
+    Vec3 right{4.0 / 3, 0, 0};
+    Vec3 up{0, 1, 0};
+};
+
+/// What a stone is made of. One index: isotropic. Two: uniaxial, n_o then n_e.
+struct Crystal {
+    std::vector<IndexFunction> indices{IndexFunction(1.5)};
+    Vec3 axis{0, 0, 1};  ///< unit optic axis in world coordinates (uniaxial)
+    [[nodiscard]] bool birefringent() const { return indices.size() > 1; }
+    [[nodiscard]] bool dispersive() const {
+        for (const auto& n : indices)
+            if (n.dispersive()) return true;
+        return false;
+    }
+};
+
+struct Gem {
+    Stone stone;  ///< in world coordinates
+    Crystal crystal;
+    std::string name;  ///< where it stands in the scene file, for messages
+};
+
+/// Patterns live in their own space: `to_pattern` takes world points there.
+struct Pigment {
+    enum class Kind { plain, checker, grid };
+    Kind kind = Kind::plain;
+    Spectrum first{1.0}, second{0.0};  ///< plain: first; checker: A, B; grid: line, ground
+    double line_width = 0.1;           ///< grid, in cells
+    Transform to_pattern{};
+};
+
+/// Radiance = emission pigment D65 + diffuse pigment (what falls on it, POV-Ray's scale: a light of
+/// colour 1 straight above a diffuse 1 surface gives 1).
+struct Finish {
+    double diffuse = 0.6, emission = 0;
+};
+
+struct PlaneShape {};  ///< y = 0 in object space
+struct BoxShape {};    ///< the unit cube 0 .. 1 in object space
+struct SphereShape {}; ///< the unit sphere in object space
+struct Thing {
+    std::variant<PlaneShape, BoxShape, SphereShape> shape;
+    Transform to_world{};
+    Pigment pigment;
+    Finish finish;
+};
+
+/// `light` is its colour at full strength as a spectrum (D65 times the scene's rgb, or an illuminant).
+struct Light {
+    Vec3 position;
+    Vec3 edge_u{}, edge_v{};  ///< an area light spans position +- edge/2; both zero for a point light
+    Spectrum light = white();
+    double fade_distance = 0, fade_power = 0;  ///< POV-Ray's attenuation 2/(1+(d/fd)^fp); 0: none
+};
+
+/// What surrounds the scene. Radiance from direction d (pointing away from the scene) is a linear
+/// blend over d's height along `up`: `below` at -1, `above` at +1.
+struct Environment {
+    Spectrum illuminant = white();  ///< radiance of value 1
+    Spectrum below{0.0}, above{0.0};  ///< coloured values, times the illuminant
+    Vec3 up{0, 1, 0};
+    /// Polarisation for one who looks at the source, x right, y (world up) up; s0 = 1.
+    Stokes state{1, 0, 0, 0};
+};
+
+struct Scene {
+    Camera camera;
+    std::vector<Gem> gems;
+    std::vector<Thing> things;
+    std::vector<Light> lights;
+    Environment environment;
+    int max_trace_level = 0;  ///< 0: no bound on a path's interface events
+    std::string title;        ///< first comment line of the file
+};
+
+/// Faults of a finished scene that would make a wrong picture: overlapping gems, an index below 1, a
+/// camera inside a gem, numbers that are not finite. Empty when all is well.
+[[nodiscard]] std::vector<std::string> faults(const Scene& scene);
+
+}  // namespace icespar

@@ -1,0 +1,65 @@
+// A cut stone: a convex polyhedron, and how light finds its way to the next facet.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "math/transform.hpp"
+#include "math/vec3.hpp"
+
+namespace icespar {
+
+/// The half-space normal . p <= distance. The normal points out of the stone and need not be a unit
+/// vector when a stone is built from it.
+struct FacetPlane {
+    Vec3 normal;
+    double distance = 0;
+    std::string name{};
+};
+
+/// A facet of a finished stone: unit normal, and the polygon of its corners, counter-clockwise as
+/// seen from outside (in right-handed coordinates).
+struct Facet {
+    Vec3 normal;
+    double distance = 0;
+    std::string name;
+    std::vector<std::uint32_t> corners;  ///< indices into Stone::vertices
+    double area = 0;
+};
+
+/// A closed convex polyhedron. Facets are ordered as the planes they came from, planes that coincide
+/// being one facet (with the first's name).
+struct Stone {
+    std::vector<Facet> facets;
+    std::vector<Vec3> vertices;
+    double volume = 0;
+    std::vector<std::string> unreached;  ///< names (or "facet 7") of planes that do not touch the stone
+
+    /// Exact arithmetic on the doubles given. Throws Error when a number is not finite, a normal is 0,
+    /// the half-spaces have no common interior (which: named), or the stone is not closed (the message
+    /// names directions that are open).
+    static Stone from_planes(std::span<const FacetPlane> planes);
+
+    /// The convex hull of the points; coplanar faces are merged into one facet. Throws Error when
+    /// all points lie in one plane.
+    static Stone from_points(std::span<const Vec3> points);
+
+    /// The stone moved by t. A mirroring transform keeps corners counter-clockwise.
+    [[nodiscard]] Stone transformed(const Transform& t) const;
+};
+
+/// Sizes as a cutter states them: the girdle's outline seen along the dop axis (z). W is the least
+/// width over all directions in the girdle plane, L the extent at right angles to it, H the extent
+/// along z.
+struct GirdleSize {
+    double length = 0, width = 0, height = 0;
+};
+[[nodiscard]] GirdleSize girdle_size(const Stone& stone);
+
+/// Where two stones overlap by more than they merely touch: true, and a point within both.
+[[nodiscard]] bool overlap(const Stone& a, const Stone& b, Vec3& where);
+
+}  // namespace icespar

@@ -1,0 +1,51 @@
+// The parser's front door: a file or a text becomes a scene, or messages that say why not.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scene/scene.hpp"
+#include "stone/cut.hpp"
+
+namespace icespar {
+
+/// One message with its place, in the form of rustc and lexy: file:line:column, the line, a caret.
+struct Diagnostic {
+    enum class Severity { error, warning };
+    Severity severity = Severity::error;
+    std::string file;
+    int line = 0, column = 0, length = 1;  ///< 1-based; 0: the message is about the whole file
+    std::string message;
+    std::string source_line;
+    std::string hint;                ///< the likeliest repair, shown after the caret; may be empty
+    std::vector<std::string> notes;  ///< include and macro stack, innermost first
+};
+
+/// As the user reads it, without a trailing newline.
+[[nodiscard]] std::string to_string(const Diagnostic& diagnostic);
+
+struct LoadOptions {
+    int width = 640, height = 480;  ///< what image_width and image_height say in the scene
+    double clock = 0;
+    std::vector<std::filesystem::path> allow;  ///< folders that may be read besides the scene's own
+};
+
+struct LoadResult {
+    std::optional<Scene> scene;  ///< nothing when there was an error
+    std::vector<Diagnostic> diagnostics;  ///< at most 20 errors; warnings once per word
+};
+
+[[nodiscard]] LoadResult load_scene_file(const std::filesystem::path& file, const LoadOptions& = {});
+/// `folder` is where relative includes and designs are looked for.
+[[nodiscard]] LoadResult load_scene_text(std::string_view text, const std::string& name,
+                                         const std::filesystem::path& folder, const LoadOptions& = {});
+
+/// A faceting design by its file's ending (.asc). Throws Error with file and line.
+[[nodiscard]] Design read_design(const std::filesystem::path& file);
+/// GemCad's text format; `name` is for messages.
+[[nodiscard]] Design parse_gemcad_asc(std::string_view text, const std::string& name);
+
+}  // namespace icespar
