@@ -1,0 +1,37 @@
+// Plane waves in a medium: Re[E exp(i(k . r - w t))], k in units of w/c.
+#pragma once
+
+#include "crystal/medium.hpp"
+#include "math/vec3.hpp"
+
+namespace icespar {
+
+/// s and p: isotropic media, with respect to a face. Ordinary and extraordinary: uniaxial media.
+enum class Mode { s, p, ordinary, extraordinary };
+
+struct Wave {
+    Mode mode = Mode::s;
+    bool propagating = true;  ///< false: evanescent, decays away from the face, carries no power
+    CVec3 k;                  ///< wave vector; real when propagating
+    CVec3 E;                  ///< unit Hermitian norm
+    CVec3 H;                  ///< k x E
+    Vec3 ray;                 ///< unit direction of the mean energy flow, Re(E x H*)
+    double n_phase = 1;       ///< |Re k|
+    double n_ray = 1;         ///< Re k . ray = n_phase cos(walk-off)
+
+    /// Mean energy flow along n, in units in which E of norm 1 in vacuum along n has 1.
+    [[nodiscard]] double flux(const Vec3& n) const {
+        return dot(real(cross(E, conj(H))), n);
+    }
+};
+
+enum class By { wave_normal, ray };
+
+/// The propagating wave of the given mode along a unit direction. s and p (isotropic) refer to the
+/// face with unit normal `normal`: s = normal x k, p = k x s; at normal incidence s is a fixed vector
+/// in the face. In a uniaxial medium o has E along k x axis, e along axis - k (k . axis) / n_o^2; for k
+/// along the axis both are fixed perpendicular vectors across it.
+[[nodiscard]] Wave plane_wave(const Medium& medium, Mode mode, const Vec3& direction, By by,
+                              const Vec3& normal);
+
+}  // namespace icespar
