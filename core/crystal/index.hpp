@@ -7,7 +7,8 @@
 namespace icespar {
 
 /// n(wavelength). The formulas are numbered as in refractiveindex.info; coefficients take
-/// wavelengths in micrometres.
+/// wavelengths in micrometres, and the functions that take a list of them throw Error when there are too
+/// few, an even number, or one that is not finite.
 class IndexFunction {
 public:
     IndexFunction() = default;  ///< n = 1
@@ -29,7 +30,7 @@ public:
     [[nodiscard]] bool valid() const;
 
 private:
-    enum class Kind { constant, cauchy, formula1, formula2, formula4 };
+    enum class Kind { constant, cauchy, sellmeier, formula4 };
     Kind kind_ = Kind::constant;
     std::vector<double> c_{1.0};
 };

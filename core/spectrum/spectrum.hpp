@@ -28,16 +28,20 @@ public:
         return sum;
     }
 
+    friend Spectrum operator*(const Spectrum& a, const Spectrum& b);
+    friend Spectrum operator*(double factor, const Spectrum& a);
+
 private:
     std::vector<double> wavelengths_nm_, values_;
+    double inverse_step_ = 0;  ///< above 0: the nodes are equally spaced
 };
 
 /// Linear sRGB primaries (Rec. 709, D65 white).
 using Rgb = std::array<double, 3>;
 using Xyz = std::array<double, 3>;
 
-/// CIE 1931 2-degree observer at a wavelength; scaled so that luminance of the illuminant D65 at
-/// value 1 is Y = 1 (see `white`).
+/// CIE 1931 2-degree observer at a wavelength, zero outside the rendered range; scaled so that the
+/// equal-energy light E at value 1 has luminance Y = 1, and so has the illuminant D65 (see `white`).
 [[nodiscard]] Xyz observer(double wavelength_nm);
 
 [[nodiscard]] Rgb rgb_from_xyz(const Xyz& xyz);
