@@ -19,23 +19,40 @@ struct Coefficients {
     std::array<double, 2> reflected_power, transmitted_power;  ///< parts of the incident normal flux
 };
 
-/// A face with everything that does not depend on which incident wave it is.
+/// A face with everything that the waves of one incident wave vector share.
 class Interface {
 public:
-    /// `normal` (unit) points from medium `from` to medium `to`; `k` is the incident wave vector, of
-    /// which only the tangential part is used.
-    Interface(const Medium& from, const Medium& to, const Vec3& normal, const Vec3& k);
+    /// `normal` (unit) points from medium `from` to medium `to`. `incident` is a propagating wave of
+    /// `from` that carries energy towards the face (at grazing incidence its own k is more precise than
+    /// anything recovered from the tangential wave vector).
+    Interface(const Medium& from, const Medium& to, const Vec3& normal, const Wave& incident);
 
-    [[nodiscard]] const OutgoingWaves& waves() const { return waves_; }
-
-    /// `incident` is a propagating wave of `from` with this face's tangential wave vector, carrying
-    /// energy towards the face.
+    /// Coefficients of the incident wave given, or of another wave with the same wave vector: in an
+    /// isotropic medium s and p share one face.
     [[nodiscard]] Coefficients solve(const Wave& incident) const;
 
+    /// The four outgoing waves in full.
+    [[nodiscard]] OutgoingWaves waves() const;
+
+    /// Normal flux of each outgoing wave of |E| = 1, positive away from the face; 0 when evanescent.
+    [[nodiscard]] const std::array<double, 2>& reflected_flux() const { return reflected_.flux; }
+    [[nodiscard]] const std::array<double, 2>& transmitted_flux() const { return transmitted_.flux; }
+
 private:
-    Vec3 normal_;
-    OutgoingWaves waves_;
-    // (solver's private state)
+    friend struct FaceSolver;
+    /// Outgoing waves of one side in the face's frame: x along the tangential wave vector, z = normal.
+    struct Side {
+        std::array<Complex, 2> q;   ///< normal component of k
+        std::array<CVec3, 2> E;
+        std::array<double, 2> flux;
+        std::array<bool, 2> propagating;
+    };
+
+    Medium from_, to_;
+    Vec3 x_, y_, normal_;
+    double kt_ = 0;  ///< tangential wave number
+    Side reflected_, transmitted_;
+    std::array<std::array<Complex, 2>, 2> reflect_, transmit_;  ///< [incident mode][outgoing mode]
 };
 
 }  // namespace icespar
