@@ -1,0 +1,77 @@
+# The front door: `make demo` shows a picture, `make test` runs the tests, `make` lists the rest.
+SHELL := /bin/bash
+.SHELLFLAGS := -euo pipefail -c
+.DEFAULT_GOAL := help
+.PHONY: help deps build demo test bench wheel clean
+
+VENV := .venv
+BIN := $(VENV)/bin
+PYTHON ?=
+DEBIAN := cmake ninja-build g++ libembree-dev libopenexr-dev libcgal-dev libgmp-dev libmpfr-dev \
+  libboost-dev libtbb-dev libpng-dev libcli11-dev libfast-float-dev catch2 python3-dev python3-venv
+
+help:
+	@echo 'make demo    install what is missing, build, render scenes/calcite_on_grid.spar into out/'
+	@echo 'make build   the program build/icespar, and .venv in which "import icespar" works'
+	@echo 'make test    build and run the C++ and the Python tests'
+	@echo 'make bench   error against time, written to bench/results'
+	@echo 'make wheel   a Python wheel in dist/'
+	@echo 'make clean   remove what was built (.venv and out/ stay)'
+
+# Debian packages that are missing, by apt-get where that is allowed. On other systems CMake says what it lacks.
+deps:
+	@command -v dpkg-query >/dev/null || exit 0; \
+	missing=; for package in $(DEBIAN); do \
+	  dpkg-query -W -f='$${db:Status-Status}' "$$package" 2>/dev/null | grep -qx installed || missing+=" $$package"; \
+	done; \
+	[ -n "$$missing" ] || exit 0; \
+	echo "icespar needs these Debian packages:$$missing"; \
+	if [ "$$(id -u)" = 0 ]; then as_root=; \
+	elif command -v sudo >/dev/null; then as_root=sudo; \
+	else echo "Install them as root, then run make again: apt-get install$$missing"; exit 1; fi; \
+	install() { $$as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends $$missing; }; \
+	{ $$as_root apt-get update -q && install; } || { \
+	  echo "apt-get failed. Install these by hand, then run make again:$$missing"; exit 1; }
+
+# The first Python 3.11 or newer that can make an environment and has its headers; Debian's own if it can.
+$(BIN)/python: | deps
+	@for python in $(PYTHON) /usr/bin/python3 python3 python3.14 python3.13 python3.12 python3.11; do \
+	  "$$python" -c 'import ensurepip, os, sys, sysconfig, venv; \
+	    sys.exit(sys.version_info < (3, 11) or not os.path.exists(sysconfig.get_path("include") + "/Python.h"))' \
+	    2>/dev/null && break; python=; \
+	done; \
+	[ -n "$$python" ] || { echo 'No Python 3.11 or newer with venv and headers: install one, or name it: make PYTHON=...'; exit 1; }; \
+	echo "$$python makes $(VENV)"; "$$python" -m venv $(VENV)
+
+$(VENV)/.installed: python/requirements.txt | $(BIN)/python
+	$(BIN)/python -m pip install -q --disable-pip-version-check -r $<
+	@$(BIN)/python -c 'import pathlib, sysconfig; \
+	  pathlib.Path(sysconfig.get_path("purelib"), "icespar.pth").write_text("$(CURDIR)/build/python\n")'
+	@touch $@
+
+$(VENV)/.installed-test: python/requirements-test.txt $(VENV)/.installed
+	$(BIN)/python -m pip install -q --disable-pip-version-check -r $<
+	@touch $@
+
+build: deps $(VENV)/.installed
+	cmake --preset release
+	cmake --build --preset release --target icespar_cli icespar_python
+
+demo: build
+	@mkdir -p out
+	build/icespar render scenes/calcite_on_grid.spar --size 640x480 -o out/calcite_on_grid.exr -o out/calcite_on_grid.png
+	@echo "The picture is in $(CURDIR)/out/calcite_on_grid.png (to look at) and calcite_on_grid.exr (to measure)."
+
+test: build $(VENV)/.installed-test
+	cmake --build --preset release
+	ctest --preset release
+	$(BIN)/python -m pytest tests/python
+
+bench: build $(VENV)/.installed-test
+	$(BIN)/python bench/run.py
+
+wheel: $(VENV)/.installed
+	$(BIN)/python -m pip wheel . --no-deps -w dist
+
+clean:
+	rm -rf build build-sanitize dist

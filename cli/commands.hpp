@@ -1,0 +1,40 @@
+// The commands of the program, each returning its exit code.
+#pragma once
+
+#include <filesystem>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "render/render.hpp"
+
+namespace icespar {
+
+/// What a command tells the shell. A render that is interrupted before it has anything to save ends
+/// as the shell's own convention has it, with 128 + SIGINT.
+enum ExitCode {
+    exit_done = 0,
+    exit_fault = 1,
+    exit_usage = 2,
+    exit_interrupted = 3,
+    exit_interrupted_unsaved = 130
+};
+
+struct RenderArguments {
+    std::filesystem::path scene;
+    std::vector<std::filesystem::path> outputs, allow;
+    RenderOptions options;
+};
+
+/// Renders a scene and writes every output. `messages` is stderr.
+int render_command(const RenderArguments& arguments, std::ostream& messages);
+
+/// Reads a scene and says what is wrong with it, or what is in it.
+int check_command(const std::filesystem::path& scene,
+                  const std::vector<std::filesystem::path>& allow, std::ostream& out,
+                  std::ostream& messages);
+
+/// One line for every mineral, or all that is known about one.
+int minerals_command(const std::string& name, std::ostream& out, std::ostream& messages);
+
+}  // namespace icespar

@@ -1,0 +1,147 @@
+// The program icespar: its command line, and which command runs.
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <iostream>
+
+#include "cli/commands.hpp"
+#include "cli/stone.hpp"
+#include "math/error.hpp"
+
+namespace {
+
+using namespace icespar;
+
+/// WIDTHxHEIGHT into the options; the message when it is not that.
+std::string read_size(const std::string& text, RenderOptions& options) {
+    int width = 0, height = 0, used = 0;
+    const bool plain = text.find_first_not_of("0123456789xX") == std::string::npos &&
+                       text.size() <= 13 &&
+                       std::sscanf(text.c_str(), "%7d%*1[xX]%7d%n", &width, &height, &used) == 2 &&
+                       used == static_cast<int>(text.size());
+    if (!plain || width < 1 || height < 1 || width > 65536 || height > 65536)
+        return "'" + text + "' is not WIDTHxHEIGHT with sides of 1 to 65536, such as 640x480";
+    options.width = width;
+    options.height = height;
+    return {};
+}
+
+std::string positive(const std::string& text) {
+    double value = 0;
+    if (!CLI::detail::lexical_cast(text, value) || !std::isfinite(value) || value <= 0)
+        return "'" + text + "' is not a positive number";
+    return {};
+}
+
+constexpr auto render_footer =
+    "--error, --time and --spp may be given together: the bound that is reached first ends the\n"
+    "render. Ctrl-C ends it too, and saves what is there; a second Ctrl-C saves nothing.\n"
+    "The same scene, seed and samples give the same picture, bit for bit, for any --threads.\n"
+    "Exit codes: 0 done, 1 the scene is at fault, 2 wrong usage, 3 interrupted but saved.\n"
+    "Example: icespar render scenes/calcite_on_grid.spar -o grid.exr -o grid.png --error 0.02";
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    CLI::App app{
+        "icespar: pictures of gemstones with the polarised light that birefringent crystals make"};
+    app.require_subcommand(1);
+    app.set_version_flag("--version", "icespar " ICESPAR_VERSION);
+    app.footer(
+        "`icespar COMMAND --help` says more about each. The scene language is POV-Ray's, with the\n"
+        "words that crystals need: docs/language.md.");
+
+    RenderArguments arguments;
+    std::filesystem::path file;
+    std::string mineral;
+
+    CLI::App* render = app.add_subcommand("render", "Render a scene to .exr and .png files");
+    render->footer(render_footer);
+    render->add_option("SCENE", arguments.scene, "A scene in a .spar, .pov or .inc file")
+        ->required();
+    render
+        ->add_option(
+            "-o,--output", arguments.outputs,
+            "Where the picture goes: .exr (linear, all that was asked) or .png (sRGB, to look "
+            "at); may be given several times")
+        ->required()
+        ->type_name("FILE")
+        ->take_all()
+        ->expected(1);
+    std::string size;
+    render->add_option("--size", size, "Pixels across and down (default 640x480)")
+        ->type_name("WxH")
+        ->check([&](const std::string& text) { return read_size(text, arguments.options); });
+    render->add_flag("--stokes", arguments.options.stokes,
+                     "Keep the polarisation in the .exr: S1, S2, S3 beside S0");
+    render
+        ->add_option("--spectral", arguments.options.bands,
+                     "Keep N spectral bands in the .exr, 1 to 400")
+        ->type_name("N")
+        ->check(CLI::Range(1, 400));
+    render
+        ->add_option(
+            "--error", arguments.options.error,
+            "Stop when the picture's estimated relative error is below E (default 0.01 when no "
+            "other bound is given)")
+        ->type_name("E")
+        ->check(positive);
+    render->add_option("--time", arguments.options.seconds, "Stop after T seconds")
+        ->type_name("T")
+        ->check(positive);
+    render->add_option("--spp", arguments.options.samples, "Stop after N samples a pixel")
+        ->type_name("N")
+        ->check(CLI::Range(1, 1 << 30));
+    render->add_option("--threads", arguments.options.threads, "Threads (default: all there are)")
+        ->type_name("N")
+        ->check(CLI::Range(1, 4096));
+    render->add_option("--seed", arguments.options.seed, "Another seed, another noise (default 0)")
+        ->type_name("N");
+    render
+        ->add_option("--allow", arguments.allow,
+                     "A folder the scene may read besides its own; may be given several times")
+        ->type_name("DIR")
+        ->take_all()
+        ->expected(1)
+        ->check(CLI::ExistingDirectory);
+
+    CLI::App* check = app.add_subcommand("check", "Read a scene and say what is wrong with it");
+    check->footer("Exit codes: 0 nothing is wrong, 1 the scene is at fault, 2 wrong usage.");
+    check->add_option("SCENE", arguments.scene, "A scene in a .spar, .pov or .inc file")
+        ->required();
+    check
+        ->add_option("--allow", arguments.allow,
+                     "A folder the scene may read besides its own; may be given several times")
+        ->type_name("DIR")
+        ->take_all()
+        ->expected(1)
+        ->check(CLI::ExistingDirectory);
+
+    CLI::App* stone =
+        app.add_subcommand("stone", "Facets, volume and proportions of a faceting design");
+    stone->add_option("FILE", file, "A design in GemCad's .asc format")->required();
+
+    CLI::App* minerals = app.add_subcommand("minerals", "What a stone may be made of");
+    minerals->add_option("NAME", mineral, "One mineral, with its indices over the spectrum");
+
+    try {
+        app.parse(argc, argv);
+        if (render->parsed()) {
+            RenderOptions& o = arguments.options;
+            if (o.error == 0 && o.seconds == 0 && o.samples == 0) o.error = 0.01;
+            return render_command(arguments, std::cerr);
+        }
+        if (check->parsed())
+            return check_command(arguments.scene, arguments.allow, std::cout, std::cerr);
+        if (minerals->parsed()) return minerals_command(mineral, std::cout, std::cerr);
+        stone_command(file, std::cout);
+        return exit_done;
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? exit_done : exit_usage;
+    } catch (const std::bad_alloc&) {
+        std::cerr << "icespar: there is not enough memory for this; ask for a smaller --size or "
+                     "fewer bands\n";
+    } catch (const std::exception& error) {
+        std::cerr << "icespar: " << error.what() << '\n';
+    }
+    return exit_fault;
+}

@@ -1,0 +1,126 @@
+// `icespar render SCENE -o FILE`: what it will do, the work, what it did.
+#include <unistd.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstdio>
+#include <thread>
+
+#include "cli/commands.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/progress.hpp"
+#include "cli/scene_file.hpp"
+#include "math/error.hpp"
+
+namespace icespar {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string extension(const fs::path& file) {
+    std::string text = file.extension().string();
+    std::transform(text.begin(), text.end(), text.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return text;
+}
+
+/// Why the outputs cannot be written; empty when they can. Asked before any work is done.
+std::string output_fault(const RenderArguments& arguments) {
+    bool exr = false;
+    for (const fs::path& file : arguments.outputs) {
+        const std::string ending = extension(file);
+        if (ending != ".exr" && ending != ".png")
+            return "'" + file.string() + "': a picture is written as .exr or .png";
+        exr = exr || ending == ".exr";
+        std::error_code ignored;
+        const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+        if (!fs::is_directory(folder, ignored))
+            return "'" + file.string() + "': there is no folder '" + folder.string() +
+                   "'; make it first";
+        if (fs::is_directory(file, ignored))
+            return "'" + file.string() + "' is a folder; name a file in it";
+        if (access(folder.c_str(), W_OK | X_OK) != 0)
+            return "'" + file.string() + "': the folder '" + folder.string() +
+                   "' cannot be written to; choose another";
+    }
+    if (!exr && (arguments.options.stokes || arguments.options.bands > 0))
+        return "--stokes and --spectral are kept in .exr files only; add -o FILE.exr";
+    return {};
+}
+
+std::string format(const char* pattern, double value) {
+    char text[48];
+    std::snprintf(text, sizeof text, pattern, value);
+    return text;
+}
+
+std::string plan_line(const RenderArguments& arguments) {
+    const RenderOptions& o = arguments.options;
+    std::string bounds;
+    const auto add = [&](const std::string& bound) {
+        bounds += (bounds.empty() ? "until " : " or ") + bound;
+    };
+    if (o.error > 0) add(format("error %g", o.error));
+    if (o.seconds > 0) add(format("%g s", o.seconds));
+    if (o.samples > 0) add(std::to_string(o.samples) + " samples a pixel");
+    const unsigned threads =
+        o.threads > 0 ? static_cast<unsigned>(o.threads) : std::thread::hardware_concurrency();
+    std::string line = arguments.scene.string() + ": " + std::to_string(o.width) + "x" +
+                       std::to_string(o.height) + " " + bounds + ", " + std::to_string(threads) +
+                       (threads == 1 ? " thread" : " threads");
+    if (o.bands > 0) line += ", " + std::to_string(o.bands) + " bands";
+    if (o.stokes) line += ", Stokes";
+    for (std::size_t i = 0; i < arguments.outputs.size(); ++i)
+        line += (i == 0 ? " -> " : ", ") + arguments.outputs[i].string();
+    return line;
+}
+
+std::string report_line(const RenderReport& report) {
+    const double rate = report.seconds > 0 ? 1e-6 * double(report.paths) / report.seconds : 0;
+    std::string line = report.interrupted ? "interrupted after " : "done in ";
+    line += format("%.2f s", report.seconds) + format(", %.3g Mpath/s", rate) + ", " +
+            std::to_string(report.samples) + (report.samples == 1 ? " sample" : " samples") +
+            " a pixel";
+    if (report.error > 0) line += format(", error %.2g", report.error);
+    return line + format(", dropped energy %.1e", report.dropped) + ", " +
+           std::to_string(report.bad_samples) + " bad samples";
+}
+
+}  // namespace
+
+int render_command(const RenderArguments& arguments, std::ostream& messages) {
+    if (const std::string fault = output_fault(arguments); !fault.empty()) {
+        messages << "icespar: " << fault << '\n';
+        return exit_usage;
+    }
+    LoadOptions load;
+    load.width = arguments.options.width;
+    load.height = arguments.options.height;
+    load.allow = arguments.allow;
+    const ReadScene read = read_scene(arguments.scene, load, messages);
+    if (!read.scene) return exit_fault;
+
+    messages << plan_line(arguments) << std::endl;
+    const InterruptGuard guard;
+    Rendering rendering;
+    {
+        ProgressBar bar;
+        rendering = render(*read.scene, arguments.options, [&](const Progress& progress) {
+            bar.show(progress);
+            return !InterruptGuard::requested();
+        });
+    }
+    if (rendering.report.interrupted && rendering.report.paths == 0) {
+        messages << "interrupted before the first sample; nothing is written\n";
+        return exit_interrupted_unsaved;
+    }
+    rendering.image.metadata["scene"] = arguments.scene.filename().string();
+    for (const fs::path& file : arguments.outputs)
+        extension(file) == ".exr" ? write_exr(rendering.image, file.string())
+                                  : write_png(rendering.image, file.string());
+    messages << report_line(rendering.report) << '\n';
+    return rendering.report.interrupted ? exit_interrupted : exit_done;
+}
+
+}  // namespace icespar
