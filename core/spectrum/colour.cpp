@@ -156,6 +156,8 @@ Spectrum reflectance_from_rgb(const Rgb& rgb) {
     static const Matrix amounts_from_rgb = make_amounts_from_rgb();
     if (!std::isfinite(rgb[0]) || !std::isfinite(rgb[1]) || !std::isfinite(rgb[2]))
         throw Error("a colour holds a number that is not finite; give finite red, green and blue");
+    // The three add to 1: a grey is flat, and costs nothing to look up.
+    if (rgb[0] == rgb[1] && rgb[1] == rgb[2]) return Spectrum(rgb[0]);
     const auto amounts = times(amounts_from_rgb, rgb);
     std::vector<double> nodes, values;
     for (const auto& basis : tables::primaries) {

@@ -1,0 +1,121 @@
+// The minerals that ship with icespar: their table against itself, and how they are found.
+#include <catch2/catch.hpp>
+#include <set>
+
+#include "crystal/mineral.hpp"
+#include "math/error.hpp"
+
+using namespace icespar;
+using Catch::Contains;
+using Catch::WithinAbs;
+
+namespace {
+
+const std::string heads =
+    "id,name,formula,crystal_system,optic,n1,n2,n3,dispersion_BG,dispersion_model,coef1,coef2,"
+    "coef3,density,confidence\n";
+
+}  // namespace
+
+TEST_CASE("each mineral's formula gives its published index and dispersion", "[mineral]") {
+    REQUIRE(minerals().size() == 36);
+    for (const Mineral& m : minerals()) {
+        CAPTURE(m.id);
+        REQUIRE(m.indices.size() == m.indices_589.size());
+        REQUIRE(m.indices.size() == m.dispersion_bg.size());
+        for (std::size_t i = 0; i < m.indices.size(); ++i) {
+            const IndexFunction& n = m.indices[i];
+            CHECK_THAT(n(589.3), WithinAbs(m.indices_589[i], 0.501e-5));
+            CHECK_THAT(n(430.8) - n(686.7), WithinAbs(m.dispersion_bg[i], 0.501e-4));
+            CHECK(n.valid());
+        }
+    }
+}
+
+TEST_CASE("a mineral's optic class agrees with its indices", "[mineral]") {
+    for (const Mineral& m : minerals()) {
+        CAPTURE(m.id);
+        const auto& n = m.indices_589;
+        if (m.optic == "isotropic") CHECK(n.size() == 1);
+        if (m.optic == "uniaxial +") CHECK(n.at(1) > n.at(0));
+        if (m.optic == "uniaxial -") CHECK(n.at(1) < n.at(0));
+        if (m.optic.starts_with("biaxial")) {
+            CHECK(n.at(0) < n.at(1));
+            CHECK(n.at(1) < n.at(2));
+            // Vz is the half angle about n_gamma between the optic axes; beyond 45 degrees the
+            // crystal is negative.
+            const auto inverse_square = [&](std::size_t i) { return 1 / (n[i] * n[i]); };
+            const double tan2_vz =
+                (inverse_square(0) - inverse_square(1)) / (inverse_square(1) - inverse_square(2));
+            CHECK(m.optic == (tan2_vz < 1 ? "biaxial +" : "biaxial -"));
+        }
+    }
+}
+
+TEST_CASE("well-known stones have their textbook indices", "[mineral]") {
+    const auto n = [](const char* name, std::size_t i) {
+        return find_mineral(name)->indices.at(i)(589.3);
+    };
+    CHECK_THAT(n("diamond", 0), WithinAbs(2.417, 1e-3));
+    CHECK_THAT(n("quartz", 0), WithinAbs(1.544, 1e-3));
+    CHECK_THAT(n("quartz", 1), WithinAbs(1.553, 1e-3));
+    CHECK_THAT(n("calcite", 0), WithinAbs(1.658, 1e-3));
+    CHECK_THAT(n("calcite", 1), WithinAbs(1.486, 1e-3));
+    CHECK_THAT(n("corundum", 0), WithinAbs(1.768, 1e-3));
+    CHECK_THAT(n("corundum", 1), WithinAbs(1.760, 1e-3));
+}
+
+TEST_CASE("a mineral is found by id or name, whatever the case", "[mineral]") {
+    REQUIRE(find_mineral("calcite"));
+    CHECK(find_mineral("Calcite") == find_mineral("calcite"));
+    CHECK(find_mineral("CALCITE") == find_mineral("calcite"));
+    CHECK(find_mineral("topaz_imperial")->id == "topaz_imperial");
+    CHECK(find_mineral(" Topaz imperial")->id == "topaz_imperial");
+    CHECK(find_mineral("rutile (synthetic)")->id == "rutile");
+    CHECK(find_mineral("garnet, pyrope")->id == "pyrope");
+    CHECK(find_mineral("kryptonite") == nullptr);
+    CHECK(find_mineral("") == nullptr);
+    std::set<std::string> ids;
+    for (const Mineral& m : minerals()) {
+        CHECK(find_mineral(m.id) == &m);
+        ids.insert(m.id);
+    }
+    CHECK(ids.size() == minerals().size());
+}
+
+TEST_CASE("a misspelt mineral has neighbours, and a gem's name its mineral", "[mineral]") {
+    CHECK(nearest_minerals("dimond") == std::vector<std::string>{"diamond"});
+    CHECK(nearest_minerals("Qartz").front() == "quartz");
+    CHECK(nearest_minerals("ruby").front() == "corundum");
+    CHECK(nearest_minerals("Amethyst").front() == "quartz");
+    CHECK(nearest_minerals("kryptonite").empty());
+    CHECK(nearest_minerals("").empty());
+}
+
+TEST_CASE("quoted fields of a table keep their commas, quotes and line ends", "[mineral][table]") {
+    const auto rows = parse_minerals(heads +
+                                     "a,\"A, \"\"the\nfirst\"\"\",X2,cubic,isotropic,1.5,,,0.01,"
+                                     "cauchy_AB_um2,1.49 0.0035,,,3.1,B\r\n\n"
+                                     "b,B,Y,trigonal,uniaxial -,1.6,1.5,,0/0,"
+                                     "cauchy_AB_um2,1.6 0,1.5 0,,,C");
+    REQUIRE(rows.size() == 2);
+    CHECK(rows[0].name == "A, \"the\nfirst\"");
+    CHECK(rows[0].density == 3.1);
+    CHECK(rows[0].confidence == "B");
+    CHECK(rows[1].indices.size() == 2);
+    CHECK(rows[1].confidence == "C");
+}
+
+TEST_CASE("a faulty table is refused with the line at fault", "[mineral][table]") {
+    const auto row = [](const std::string& text) { return parse_minerals(heads + text); };
+    CHECK_THROWS_WITH(parse_minerals("id,name\n"), Contains("line 1") && Contains("'formula'"));
+    CHECK_THROWS_WITH(row("a,A\n"), Contains("line 2") && Contains("2 fields"));
+    CHECK_THROWS_WITH(row("a,A,X,c,isotropic,1.5x,,,0,cauchy_AB_um2,1 0,,,1,B"), Contains("1.5x"));
+    CHECK_THROWS_WITH(row("a,A,X,c,isotropic,1.5,,,0,formula 9,1 0,,,1,B"), Contains("formula 9"));
+    CHECK_THROWS_WITH(row("a,A,X,c,uniaxial +,1.5,,,0,cauchy_AB_um2,1.5 0,,,1,B"),
+                      Contains("takes 2 indices"));
+    CHECK_THROWS_WITH(row("a,A,X,c,isotropic,0.5,,,0,cauchy_AB_um2,0.5 0,,,1,B"),
+                      Contains("below 1"));
+    CHECK_THROWS_WITH(row("a,\"A,X\n"), Contains("line 2") && Contains("quote"));
+    CHECK_THROWS_WITH(row("a,A,X,c,shiny,1.5,,,0,cauchy_AB_um2,1.5 0,,,1,B"), Contains("shiny"));
+}
