@@ -1,0 +1,39 @@
+"""Pictures of gemstones with the polarised light that birefringent crystals make.
+
+>>> import icespar
+>>> scene = icespar.load("scenes/calcite_on_grid.spar")
+>>> picture = scene.render(size=(640, 480), error=0.02)
+>>> picture.save("grid.exr")
+
+The physics of a single face is `interface`, with `Medium`; stones by themselves are `Stone`; what a stone
+may be made of is `minerals`. Lengths are millimetres, wavelengths nanometres of vacuum, angles degrees.
+Scenes have the left-handed world of the scene language; `interface` and `Stone` are right-handed.
+"""
+
+from ._core import Diagnostic, Error, Medium, Mineral, Progress, RenderReport, Stone, __version__
+from .image import Image
+from .minerals import mineral, minerals
+from .optics import Incident, Interface, Outgoing, interface
+from .scene import Scene, SceneError, SceneWarning, load
+
+__all__ = [
+    "Diagnostic",
+    "Error",
+    "Image",
+    "Incident",
+    "Interface",
+    "Medium",
+    "Mineral",
+    "Outgoing",
+    "Progress",
+    "RenderReport",
+    "Scene",
+    "SceneError",
+    "SceneWarning",
+    "Stone",
+    "__version__",
+    "interface",
+    "load",
+    "mineral",
+    "minerals",
+]

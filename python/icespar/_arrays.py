@@ -1,0 +1,47 @@
+"""Checks of the arrays that callers hand in: shapes that broadcast over rays, and vectors that point."""
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+
+def vectors(name: str, value: ArrayLike) -> NDArray[np.float64]:
+    """`value` as finite float64 of shape (3,) or (N, 3); ValueError that names argument and element."""
+    try:
+        array = np.asarray(value)
+    except ValueError as error:
+        raise ValueError(f"{name}: rows of different lengths; give (3,) or (N, 3)") from error
+    if not (np.issubdtype(array.dtype, np.integer) or np.issubdtype(array.dtype, np.floating)):
+        raise ValueError(f"{name}: real numbers are needed, not {array.dtype}")
+    if array.ndim not in (1, 2) or array.shape[-1] != 3:
+        raise ValueError(f"{name}: shape {array.shape} is neither (3,) nor (N, 3)")
+    array = array.astype(np.float64)
+    bad = ~np.isfinite(array).all(axis=-1)
+    if bad.any():
+        raise ValueError(f"{_element(name, array, bad)} is not finite")
+    return array
+
+
+def directions(name: str, value: ArrayLike) -> NDArray[np.float64]:
+    """`vectors`, none of them zero, made unit vectors."""
+    array = vectors(name, value)
+    largest = np.abs(array).max(axis=-1, keepdims=True, initial=0)
+    zero = largest[..., 0] == 0
+    if zero.any():
+        raise ValueError(f"{_element(name, array, zero)} is zero; a direction is needed")
+    scaled = array / largest  # so that neither tiny nor huge vectors overflow when squared
+    return scaled / np.linalg.norm(scaled, axis=-1, keepdims=True)
+
+
+def together(**arrays: NDArray[np.float64]) -> list[NDArray[np.float64]]:
+    """All broadcast to (N, 3), contiguous; ValueError that names the shapes."""
+    lengths = {len(array) for array in arrays.values() if array.ndim == 2} - {1}
+    if len(lengths) > 1:
+        shapes = ", ".join(f"{name} {array.shape}" for name, array in arrays.items())
+        raise ValueError(f"shapes do not broadcast: {shapes}")
+    n = lengths.pop() if lengths else 1
+    return [np.ascontiguousarray(np.broadcast_to(array, (n, 3))) for array in arrays.values()]
+
+
+def _element(name: str, array: NDArray[np.float64], bad: NDArray[np.bool_]) -> str:
+    """Such as `direction[5]`, the first one that is bad."""
+    return name if array.ndim == 1 else f"{name}[{int(np.argmax(bad))}]"
