@@ -15,7 +15,8 @@ inline double norm2(const Complex& a, const Complex& b) {
 struct CrystalFrame {
     Vec3 a, b, c;
 
-    explicit CrystalFrame(const Vec3& axis) : a(any_perpendicular(axis)), b(cross(axis, a)), c(axis) {}
+    explicit CrystalFrame(const Vec3& axis)
+        : a(any_perpendicular(axis)), b(cross(axis, a)), c(axis) {}
 
     /// Unit E along k x axis of the ordinary wave whose k has components (ka, kb) across the axis.
     template <class T>
@@ -31,10 +32,10 @@ struct CrystalFrame {
         return kb * a - ka * b;
     }
 
-    /// E along axis - k (k . axis) / n_o^2 of the extraordinary wave with components (ka, kb) and kc of
-    /// k. Divided by |k across axis|, it needs no small difference: the dispersion relation
-    /// ka^2 + kb^2 = n_e^2 (1 - kc^2 / n_o^2) gives its part along the axis. Not normalised; for real k
-    /// its energy density E . eps E is 1.
+    /// E along axis - k (k . axis) / n_o^2 of the extraordinary wave with components (ka, kb) and
+    /// kc of k. Divided by |k across axis|, it needs no small difference: the dispersion relation
+    /// ka^2 + kb^2 = n_e^2 (1 - kc^2 / n_o^2) gives its part along the axis. Not normalised; for
+    /// real k its energy density E . eps E is 1.
     template <class T>
     [[nodiscard]] Vector3<T> extraordinary(T ka, T kb, T kc, double eps_o, double eps_e) const {
         const double m = norm2(ka, kb);

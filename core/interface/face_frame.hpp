@@ -1,4 +1,5 @@
-// The frame of a face: x along the tangential wave vector, y = normal x k direction (s), z = normal.
+// The frame of a face: x along the tangential wave vector, y = normal x k direction (s), z =
+// normal.
 #pragma once
 
 #include "math/vec3.hpp"

@@ -1,9 +1,10 @@
-// The boundary problem in the face's frame. Unknown amplitudes are isolated by the reciprocity pairing
-// <A, B> = N . (E_A x H_B + E_B x H_A), which vanishes between different waves of one medium with the
-// same tangential wave vector (symmetric permittivity, no conjugation): pairing the continuity of
-// tangential E and H with the incoming waves of one medium removes the outgoing waves of that medium and
-// leaves two equations for the two amplitudes on the other side. No admittance is formed, so that
-// nothing divides by a normal component that vanishes at grazing or critical angles.
+// The boundary problem in the face's frame. Unknown amplitudes are isolated by the reciprocity
+// pairing <A, B> = N . (E_A x H_B + E_B x H_A), which vanishes between different waves of one
+// medium with the same tangential wave vector (symmetric permittivity, no conjugation): pairing the
+// continuity of tangential E and H with the incoming waves of one medium removes the outgoing waves
+// of that medium and leaves two equations for the two amplitudes on the other side. No admittance
+// is formed, so that nothing divides by a normal component that vanishes at grazing or critical
+// angles.
 #include "interface/interface.hpp"
 
 #include <type_traits>
@@ -74,13 +75,14 @@ struct FaceMedium {
 
     /// Squared |k across the axis| for a real normal component q.
     [[nodiscard]] double across_squared(double q) const {
-        const double ka = kt * crystal.a.x + q * crystal.a.z, kb = kt * crystal.b.x + q * crystal.b.z;
+        const double ka = kt * crystal.a.x + q * crystal.a.z,
+                     kb = kt * crystal.b.x + q * crystal.b.z;
         return ka * ka + kb * kb;
     }
 
     /// W^2 from the ordinary wave's q. The e-wave's quadratic is eg q^2 + 2 X q + C = 0 with
-    /// X = de cn ct, and W = eg q_e + X its root; at q_o it leaves -de |k_o across axis|^2. So the two
-    /// waves stay at their true distance where both are grazing and nearly touch.
+    /// X = de cn ct, and W = eg q_e + X its root; at q_o it leaves -de |k_o across axis|^2. So the
+    /// two waves stay at their true distance where both are grazing and nearly touch.
     [[nodiscard]] double flow_squared(double q_o) const {
         const double w = eps_g() * q_o + cross_term();
         return w * w + eps_g() * delta() * across_squared(q_o);
@@ -131,7 +133,8 @@ std::array<LocalWave<T>, 2> waves_towards(const FaceMedium& m, double sign) {
 
     const T w = signed_root<T>(m.w2, sign);
     const T q_direct = (w - m.cross_term()) / m.eps_g();
-    // q_e - q_o = (ee - eo) |k_o across axis|^2 / D keeps the modes' difference exact where they meet.
+    // q_e - q_o = (ee - eo) |k_o across axis|^2 / D keeps the modes' difference exact where they
+    // meet.
     const T D = m.eps_g() * q + w + m.cross_term();
     const bool same_kind = (m.q_o2 > 0) == (m.w2 > 0);
     const T step = same_kind && std::abs(D) > 1e-150 ? T(m.delta() * (ka * ka + kb * kb) / D)
@@ -145,16 +148,16 @@ std::array<LocalWave<T>, 2> waves_towards(const FaceMedium& m, double sign) {
     const double norm = length(E);
     out[1].propagating = m.w2 > 0;
     // For E of energy density 1 the energy flow is eps k / (eo ee).
-    out[1].flux = out[1].propagating
-                      ? sign * std::sqrt(m.w2) / (m.eps_o * m.eps_e * norm * norm)
-                      : 0;
+    out[1].flux =
+        out[1].propagating ? sign * std::sqrt(m.w2) / (m.eps_o * m.eps_e * norm * norm) : 0;
     set_fields(out[1], K, q_e, E / norm);
     return out;
 }
 
-/// Where o and e are both evanescent they can coincide (k across the axis of the form (1, +-i)). The
-/// combination of the incoming pair that stays independent there, scaled by the vanishing component:
-/// with w = ka + i kb, v = ka - i kb and e+- = a +- i b, the ordinary field is (v e+ - w e-) / 2.
+/// Where o and e are both evanescent they can coincide (k across the axis of the form (1, +-i)).
+/// The combination of the incoming pair that stays independent there, scaled by the vanishing
+/// component: with w = ka + i kb, v = ka - i kb and e+- = a +- i b, the ordinary field is (v e+ - w
+/// e-) / 2.
 LocalWave<Complex> independent_partner(const FaceMedium& m, double sign) {
     const CrystalFrame& f = m.crystal;
     const double K = m.kt;
@@ -168,7 +171,8 @@ LocalWave<Complex> independent_partner(const FaceMedium& m, double sign) {
         std::swap(small, large);
         turn = -i_unit;
     }
-    // N and the fields in the basis that belongs to `turn`; the mirrored case is the conjugate basis.
+    // N and the fields in the basis that belongs to `turn`; the mirrored case is the conjugate
+    // basis.
     const Complex n_small = f.a.z + turn * f.b.z, n_large = f.a.z - turn * f.b.z;
     const CVec3 e_small = complexified(f.a) - turn * complexified(f.b);
     const CVec3 e_large = complexified(f.a) + turn * complexified(f.b);
@@ -216,6 +220,7 @@ struct FaceSolver {
         }
         store(face.reflected_, reflected, -1);
         store(face.transmitted_, transmitted, +1);
+        face.flux_in_ = {incident[0].flux, incident[1].flux};
         T reflect[2][2], transmit[2][2];
         for (int j = 0; j < 2; ++j) {
             for (int i = 0; i < 2; ++i) {
@@ -234,7 +239,8 @@ struct FaceSolver {
     }
 
     template <class T>
-    static void store(Interface::Side& side, const std::array<LocalWave<T>, 2>& waves, double sign) {
+    static void store(Interface::Side& side, const std::array<LocalWave<T>, 2>& waves,
+                      double sign) {
         for (int i = 0; i < 2; ++i) {
             side.q[i] = waves[i].q;
             side.E[i] = {waves[i].E.x, waves[i].E.y, waves[i].E.z};
@@ -266,40 +272,48 @@ Coefficients Interface::solve(const Wave& incident) const {
     Coefficients out;
     out.reflected = reflect_[m];
     out.transmitted = transmit_[m];
-    const double flux_in = incident.flux(normal_);
     for (std::size_t i = 0; i < 2; ++i) {
-        out.reflected_power[i] = std::norm(out.reflected[i]) * reflected_.flux[i] / flux_in;
-        out.transmitted_power[i] = std::norm(out.transmitted[i]) * transmitted_.flux[i] / flux_in;
+        out.reflected_power[i] = std::norm(out.reflected[i]) * reflected_.flux[i] / flux_in_[m];
+        out.transmitted_power[i] =
+            std::norm(out.transmitted[i]) * transmitted_.flux[i] / flux_in_[m];
     }
     return out;
 }
 
+Complex Interface::flux_amplitude(std::size_t m, bool transmitted, std::size_t i) const {
+    const double flux = (transmitted ? transmitted_ : reflected_).flux[i];
+    return std::sqrt(flux / flux_in_[m]) * (transmitted ? transmit_ : reflect_)[m][i];
+}
+
+Wave Interface::built(const Side& side, const Medium& medium, std::size_t i) const {
+    Wave w;
+    w.mode = medium.birefringent ? (i == 0 ? Mode::ordinary : Mode::extraordinary)
+                                 : (i == 0 ? Mode::s : Mode::p);
+    w.propagating = side.propagating[i];
+    w.k = complexified(kt_ * x_) + side.q[i] * normal_;
+    w.E = side.E[i].x * x_ + side.E[i].y * y_ + side.E[i].z * normal_;
+    w.H = cross(w.k, w.E);
+    const Vec3 k = real(w.k);
+    w.n_phase = length(k);
+    if (!w.propagating) {
+        const Vec3 flow = real(cross(w.E, conj(w.H)));
+        const double size = length(flow);
+        w.ray = size > 0 ? flow / size : x_;
+    } else if (w.mode == Mode::extraordinary) {
+        const double eps_o = medium.n_o * medium.n_o, eps_e = medium.n_e * medium.n_e;
+        w.ray = normalised(eps_o * k + ((eps_e - eps_o) * dot(k, medium.axis)) * medium.axis);
+    } else {
+        w.ray = k / w.n_phase;
+    }
+    w.n_ray = dot(k, w.ray);
+    return w;
+}
+
+Wave Interface::reflected(std::size_t i) const { return built(reflected_, from_, i); }
+Wave Interface::transmitted(std::size_t i) const { return built(transmitted_, to_, i); }
+
 OutgoingWaves Interface::waves() const {
-    const auto global = [&](const Side& side, const Medium& medium, std::size_t i) {
-        Wave w;
-        w.mode = medium.birefringent ? (i == 0 ? Mode::ordinary : Mode::extraordinary)
-                                     : (i == 0 ? Mode::s : Mode::p);
-        w.propagating = side.propagating[i];
-        w.k = complexified(kt_ * x_) + side.q[i] * normal_;
-        w.E = side.E[i].x * x_ + side.E[i].y * y_ + side.E[i].z * normal_;
-        w.H = cross(w.k, w.E);
-        const Vec3 k = real(w.k);
-        w.n_phase = length(k);
-        if (!w.propagating) {
-            const Vec3 flow = real(cross(w.E, conj(w.H)));
-            const double size = length(flow);
-            w.ray = size > 0 ? flow / size : x_;
-        } else if (w.mode == Mode::extraordinary) {
-            const double eps_o = medium.n_o * medium.n_o, eps_e = medium.n_e * medium.n_e;
-            w.ray = normalised(eps_o * k + ((eps_e - eps_o) * dot(k, medium.axis)) * medium.axis);
-        } else {
-            w.ray = k / w.n_phase;
-        }
-        w.n_ray = dot(k, w.ray);
-        return w;
-    };
-    return {{global(reflected_, from_, 0), global(reflected_, from_, 1)},
-            {global(transmitted_, to_, 0), global(transmitted_, to_, 1)}};
+    return {{reflected(0), reflected(1)}, {transmitted(0), transmitted(1)}};
 }
 
 }  // namespace icespar

@@ -16,42 +16,54 @@ struct OutgoingWaves {
 /// What one incident wave of E = 1 sends into them.
 struct Coefficients {
     std::array<Complex, 2> reflected, transmitted;  ///< amplitudes of the waves' E
-    std::array<double, 2> reflected_power, transmitted_power;  ///< parts of the incident normal flux
+    std::array<double, 2> reflected_power,
+        transmitted_power;  ///< parts of the incident normal flux
 };
 
 /// A face with everything that the waves of one incident wave vector share.
 class Interface {
 public:
-    /// `normal` (unit) points from medium `from` to medium `to`. `incident` is a propagating wave of
-    /// `from` that carries energy towards the face (at grazing incidence its own k is more precise than
-    /// anything recovered from the tangential wave vector).
+    /// `normal` (unit) points from medium `from` to medium `to`. `incident` is a propagating wave
+    /// of `from` that carries energy towards the face (at grazing incidence its own k is more
+    /// precise than anything recovered from the tangential wave vector).
     Interface(const Medium& from, const Medium& to, const Vec3& normal, const Wave& incident);
 
     /// Coefficients of the incident wave given, or of another wave with the same wave vector: in an
     /// isotropic medium s and p share one face.
     [[nodiscard]] Coefficients solve(const Wave& incident) const;
 
-    /// The four outgoing waves in full.
+    /// The four outgoing waves in full, and one of them.
     [[nodiscard]] OutgoingWaves waves() const;
+    [[nodiscard]] Wave reflected(std::size_t i) const;
+    [[nodiscard]] Wave transmitted(std::size_t i) const;
 
-    /// Normal flux of each outgoing wave of |E| = 1, positive away from the face; 0 when evanescent.
-    [[nodiscard]] const std::array<double, 2>& reflected_flux() const { return reflected_.flux; }
-    [[nodiscard]] const std::array<double, 2>& transmitted_flux() const { return transmitted_.flux; }
+    /// For ray tracers, without building a wave: the direction s of the face, whether a wave
+    /// propagates, and the amplitude from incident wave m (0: s, o; 1: p, e) into it, normalised so
+    /// that its squared magnitude is the power.
+    [[nodiscard]] const Vec3& s_direction() const { return y_; }
+    [[nodiscard]] bool propagating(bool transmitted, std::size_t i) const {
+        return (transmitted ? transmitted_ : reflected_).propagating[i];
+    }
+    [[nodiscard]] Complex flux_amplitude(std::size_t m, bool transmitted, std::size_t i) const;
 
 private:
     friend struct FaceSolver;
-    /// Outgoing waves of one side in the face's frame: x along the tangential wave vector, z = normal.
+    /// Outgoing waves of one side in the face's frame: x along the tangential wave vector, z =
+    /// normal.
     struct Side {
-        std::array<Complex, 2> q;   ///< normal component of k
+        std::array<Complex, 2> q;  ///< normal component of k
         std::array<CVec3, 2> E;
         std::array<double, 2> flux;
         std::array<bool, 2> propagating;
     };
 
+    [[nodiscard]] Wave built(const Side& side, const Medium& medium, std::size_t i) const;
+
     Medium from_, to_;
     Vec3 x_, y_, normal_;
     double kt_ = 0;  ///< tangential wave number
     Side reflected_, transmitted_;
+    std::array<double, 2> flux_in_{};  ///< normal flux of the incident waves of |E| = 1
     std::array<std::array<Complex, 2>, 2> reflect_, transmit_;  ///< [incident mode][outgoing mode]
 };
 

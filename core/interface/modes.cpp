@@ -28,9 +28,10 @@ Wave plane_wave(const Medium& medium, Mode mode, const Vec3& direction, By by, c
             medium.n_o * medium.n_e / std::sqrt(eps_o * (x * x + y * y) + eps_e * z * z);
         k = scale * d;
         E = normalised(crystal.extraordinary(scale * x, scale * y, scale * z, eps_o, eps_e));
-        wave.ray = by == By::ray ? direction
-                                 : normalised(eps_o * k + ((eps_e - eps_o) * dot(k, medium.axis)) *
-                                                              medium.axis);
+        wave.ray =
+            by == By::ray
+                ? direction
+                : normalised(eps_o * k + ((eps_e - eps_o) * dot(k, medium.axis)) * medium.axis);
     } else {
         k = medium.n_o * direction;
         wave.ray = direction;

@@ -20,17 +20,15 @@ struct Wave {
     double n_ray = 1;         ///< Re k . ray = n_phase cos(walk-off)
 
     /// Mean energy flow along n, in units in which E of norm 1 in vacuum along n has 1.
-    [[nodiscard]] double flux(const Vec3& n) const {
-        return dot(real(cross(E, conj(H))), n);
-    }
+    [[nodiscard]] double flux(const Vec3& n) const { return dot(real(cross(E, conj(H))), n); }
 };
 
 enum class By { wave_normal, ray };
 
 /// The propagating wave of the given mode along a unit direction. s and p (isotropic) refer to the
-/// face with unit normal `normal`: s = normal x k, p = k x s; at normal incidence s is a fixed vector
-/// in the face. In a uniaxial medium o has E along k x axis, e along axis - k (k . axis) / n_o^2; for k
-/// along the axis both are fixed perpendicular vectors across it.
+/// face with unit normal `normal`: s = normal x k, p = k x s; at normal incidence s is a fixed
+/// vector in the face. In a uniaxial medium o has E along k x axis, e along axis - k (k . axis) /
+/// n_o^2; for k along the axis both are fixed perpendicular vectors across it.
 [[nodiscard]] Wave plane_wave(const Medium& medium, Mode mode, const Vec3& direction, By by,
                               const Vec3& normal);
 

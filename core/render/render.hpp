@@ -13,31 +13,31 @@ namespace icespar {
 
 struct RenderOptions {
     int width = 640, height = 480;
-    int samples = 0;      ///< per pixel; 0: until `error` or `seconds`
-    double error = 0;     ///< stop when the picture's estimated relative RMS error is below; 0: ignore
-    double seconds = 0;   ///< stop after this time; 0: ignore. All three 0: error 0.01
-    int threads = 0;      ///< 0: all. The picture does not depend on it (but for `seconds`)
+    int samples = 0;   ///< per pixel; 0: until `error` or `seconds`
+    double error = 0;  ///< stop when the picture's estimated relative RMS error is below; 0: ignore
+    double seconds = 0;  ///< stop after this time; 0: ignore. All three 0: error 0.01
+    int threads = 0;     ///< 0: all. The picture does not depend on it (but for `seconds`)
     std::uint64_t seed = 0;
-    int bands = 0;        ///< spectral bands asked for, 0 .. 400
+    int bands = 0;  ///< spectral bands asked for, 0 .. 400
     bool stokes = false;
 };
 
 struct Progress {
     double done = 0;     ///< 0 .. 1, by whichever bound is nearest
     double seconds = 0;  ///< since the start
-    double error = 0;    ///< estimated relative RMS error of the picture so far; 0 when not known yet
-    int samples = 0;     ///< per pixel, finished
+    double error = 0;  ///< estimated relative RMS error of the picture so far; 0 when not known yet
+    int samples = 0;   ///< per pixel, finished
 };
 
-/// Called from the rendering thread between passes and within them; false stops the render, which keeps
-/// what is there.
+/// Called from the rendering thread between passes and within them; false stops the render, which
+/// keeps what is there.
 using ProgressCallback = std::function<bool(const Progress&)>;
 
 struct RenderReport {
-    int samples = 0;             ///< per pixel
+    int samples = 0;                      ///< per pixel
     std::uint64_t paths = 0, events = 0;  ///< camera paths; interface events
     double seconds = 0, error = 0;
-    double dropped = 0;          ///< mean power per camera path given up by a depth bound
+    double dropped = 0;             ///< mean power per camera path given up by a depth bound
     std::uint64_t bad_samples = 0;  ///< NaN or infinite, left out of the picture
     bool interrupted = false;
 };
@@ -47,14 +47,15 @@ struct Rendering {
     RenderReport report;
 };
 
-/// Throws Error when the options make no sense (size not in 1 .. 65536 a side, or negative numbers) or the
-/// scene has faults.
+/// Throws Error when the options make no sense (size not in 1 .. 65536 a side, or negative numbers)
+/// or the scene has faults.
 [[nodiscard]] Rendering render(const Scene& scene, const RenderOptions& options,
                                const ProgressCallback& progress = {});
 
 struct TraceOptions {
     double wavelength_nm = 589.3;
-    int max_hits = 0;      ///< interface events of a path, the entry (or outer reflection) the first; 0: no bound
+    int max_hits =
+        0;  ///< interface events of a path, the entry (or outer reflection) the first; 0: no bound
     double threshold = 0;  ///< a branch of less weight is dropped before it is continued
     int threads = 0;
 };
@@ -69,9 +70,9 @@ struct Traced {
     std::vector<double> dropped;  ///< weight given up by the bounds, per ray
 };
 
-/// The full tree of every ray at one wavelength, without roulette. With neither bound given, a branch of
-/// weight below 1e-16 ends, and a ray ends after 2^18 events, the heaviest branches first.
-/// Throws Error when a direction is zero or not finite, or x_axis is along it.
+/// The full tree of every ray at one wavelength, without roulette. With neither bound given, a
+/// branch of weight below 1e-16 ends, and a ray ends after 2^18 events, the heaviest branches
+/// first. Throws Error when a direction is zero or not finite, or x_axis is along it.
 [[nodiscard]] Traced trace(const Scene& scene, std::span<const SensorRay> rays,
                            const TraceOptions& options);
 

@@ -1,0 +1,106 @@
+// Accumulation and the way to a finished image.
+#include "render/film.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace icespar {
+namespace {
+
+double luminance(const double* rgb, int stride) {
+    return xyz_from_rgb({rgb[0], rgb[stride], rgb[2 * stride]})[1];
+}
+
+}  // namespace
+
+WavelengthSampler::WavelengthSampler(bool uniform) : uniform_(uniform), cumulative_{0.0} {
+    for (double nm = shortest_nm; nm < longest_nm; nm += 1) {
+        const Xyz o = observer(nm + 0.5);
+        cumulative_.push_back(cumulative_.back() + o[0] + o[1] + o[2] + 1e-4);
+    }
+    for (double& c : cumulative_) c /= cumulative_.back();
+}
+
+WavelengthSampler::Draw WavelengthSampler::draw(double u) const {
+    Draw d{};
+    if (uniform_) {
+        d.wavelength_nm = shortest_nm + u * (longest_nm - shortest_nm);
+        d.per_density = longest_nm - shortest_nm;
+    } else {
+        const auto next = std::upper_bound(cumulative_.begin() + 1, cumulative_.end() - 1, u);
+        const double step = *next - *(next - 1);
+        const auto cell = static_cast<double>(next - 1 - cumulative_.begin());
+        d.wavelength_nm = shortest_nm + cell + (u - *(next - 1)) / step;
+        d.per_density = 1 / step;
+    }
+    const Rgb rgb = rgb_from_xyz(observer(d.wavelength_nm));
+    d.rgb = {rgb[0] * d.per_density, rgb[1] * d.per_density, rgb[2] * d.per_density};
+    return d;
+}
+
+Film::Film(int width, int height, int bands, bool stokes)
+    : width_(width), height_(height), components_(stokes ? 4 : 1), bands_{bands} {
+    const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    sums_.assign(pixels * static_cast<std::size_t>(channels() * components_), 0.0);
+    squares_.assign(pixels, 0.0);
+    samples_.assign(pixels, 0);
+}
+
+bool Film::add(int x, int y, const std::vector<double>& sample) {
+    for (const double v : sample) {
+        if (!std::isfinite(v)) return false;
+    }
+    const std::size_t p = pixel(x, y);
+    double* sums = &sums_[p * sample.size()];
+    for (std::size_t i = 0; i < sample.size(); ++i) sums[i] += sample[i];
+    const double y_value = luminance(sample.data(), components_);
+    squares_[p] += y_value * y_value;
+    ++samples_[p];
+    return true;
+}
+
+double Film::error() const {
+    const auto stride = static_cast<std::size_t>(channels() * components_);
+    double variance = 0, mean = 0;
+    for (std::size_t p = 0; p < samples_.size(); ++p) {
+        const double n = samples_[p];
+        if (n < 2) return 0;
+        const double y = luminance(&sums_[p * stride], components_) / n;
+        mean += y;
+        variance += std::max(0.0, squares_[p] / n - y * y) / (n - 1);
+    }
+    const auto pixels = static_cast<double>(samples_.size());
+    return mean > 0 ? std::sqrt(variance / pixels) / (mean / pixels) : 0;
+}
+
+Image Film::image() const {
+    Image out;
+    out.width = width_;
+    out.height = height_;
+    const auto stride = static_cast<std::size_t>(channels() * components_);
+    const std::size_t pixels = samples_.size();
+    const auto parts = static_cast<std::size_t>(components_);
+    const auto count = static_cast<std::size_t>(bands_.count);
+    out.rgb.resize(pixels * 3);
+    if (components_ == 4 && count == 0) out.rgb_stokes.resize(pixels * 9);
+    out.spectral.resize(pixels * count * parts);
+    out.spectral_components = count > 0 ? components_ : 0;
+    for (int b = 0; b < bands_.count; ++b) out.wavelengths_nm.push_back(bands_.centre(b));
+    for (std::size_t p = 0; p < pixels; ++p) {
+        const double scale = samples_[p] > 0 ? 1.0 / samples_[p] : 0;
+        const double* sums = &sums_[p * stride];
+        for (std::size_t c = 0; c < 3; ++c) {
+            out.rgb[p * 3 + c] = static_cast<float>(scale * sums[c * parts]);
+            for (std::size_t s = 1; s < 4 && !out.rgb_stokes.empty(); ++s) {
+                out.rgb_stokes[(p * 3 + c) * 3 + s - 1] =
+                    static_cast<float>(scale * sums[c * parts + s]);
+            }
+        }
+        for (std::size_t i = 0; i < count * parts; ++i) {
+            out.spectral[p * count * parts + i] = static_cast<float>(scale * sums[3 * parts + i]);
+        }
+    }
+    return out;
+}
+
+}  // namespace icespar

@@ -1,0 +1,63 @@
+// The picture while it is being made: sums per pixel, and how sure they are.
+#pragma once
+
+#include <vector>
+
+#include "image/image.hpp"
+#include "polarisation/stokes.hpp"
+#include "render/palette.hpp"
+
+namespace icespar {
+
+/// Draws wavelengths in proportion to what the eye makes of them.
+class WavelengthSampler {
+public:
+    /// `uniform`: evenly over the rendered range, for pictures in bands.
+    explicit WavelengthSampler(bool uniform);
+    struct Draw {
+        double wavelength_nm;
+        Rgb rgb;             ///< colour of unit spectral radiance, over the density
+        double per_density;  ///< 1 / density, nm
+    };
+    [[nodiscard]] Draw draw(double u) const;
+
+private:
+    bool uniform_;
+    std::vector<double> cumulative_;  ///< per nm of the rendered range, from 0 to 1
+};
+
+/// Sums of one pixel's samples. A component is S0 alone or S0..S3; channels are R, G, B and the
+/// bands.
+class Film {
+public:
+    Film(int width, int height, int bands, bool stokes);
+
+    [[nodiscard]] int channels() const { return 3 + bands_.count; }
+    [[nodiscard]] int components() const { return components_; }
+    [[nodiscard]] const Bands& bands() const { return bands_; }
+    [[nodiscard]] int width() const { return width_; }
+    [[nodiscard]] int height() const { return height_; }
+
+    /// Adds one sample: channels() x components() values. Returns false, and adds nothing, when one
+    /// of them is not finite.
+    bool add(int x, int y, const std::vector<double>& sample);
+
+    /// Relative RMS error of the picture's luminance, estimated from the spread of the samples: the
+    /// root of the mean variance of the pixels' means over the mean luminance. Low-discrepancy
+    /// samples do better than this says. 0 with fewer than 2 samples or a black picture.
+    [[nodiscard]] double error() const;
+
+    [[nodiscard]] Image image() const;
+
+private:
+    [[nodiscard]] std::size_t pixel(int x, int y) const {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
+               static_cast<std::size_t>(x);
+    }
+    int width_, height_, components_;
+    Bands bands_;
+    std::vector<double> sums_, squares_;
+    std::vector<int> samples_;
+};
+
+}  // namespace icespar

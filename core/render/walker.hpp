@@ -1,0 +1,255 @@
+// The tree of light behind a sensor ray: every facet splits a branch, a guide says which are worth
+// following.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "render/branch.hpp"
+#include "render/palette.hpp"
+#include "render/random.hpp"
+#include "render/surface.hpp"
+
+namespace icespar {
+
+/// Walks depth first, or heaviest branch first. The guide decides and collects:
+///   bool admit(Branch&)                    may drop the branch, or raise its weight when it
+///   survives roulette bool may_meet(const Branch&)           false: the branch ends before its
+///   next interface event void see(const Emitter&, const Stokes&, bool one_wavelength)     light
+///   that arrives void see_at_wavelength(double radiance, const Stokes&)           the same at the
+///   traced wavelength void lose(double weight)               power given up without roulette int
+///   diffuse_rays(const Branch&)       how many rays a diffuse surface sends on Pair
+///   diffuse_point(int ray)            where in the unit square ray number `ray` is drawn
+template <class Guide>
+class Walker {
+public:
+    Walker(const World& world, const Palette& palette, bool heaviest_first)
+        : world_(world), palette_(palette), heaviest_first_(heaviest_first) {
+        const auto gems = world.scene().gems.size();
+        media_.resize(gems);
+        media_wavelength_.assign(gems, 0);
+    }
+
+    std::uint64_t events() const { return events_; }
+
+    void walk(const Branch& first, double wavelength_nm, Guide& guide) {
+        wavelength_nm_ = wavelength_nm;
+        branches_.clear();
+        push(first, guide);
+        while (!branches_.empty()) {
+            if (heaviest_first_) std::pop_heap(branches_.begin(), branches_.end(), lighter);
+            const Branch branch = branches_.back();
+            branches_.pop_back();
+            if (branch.gem >= 0) {
+                follow_inside(branch, guide);
+            } else {
+                follow_outside(branch, guide);
+            }
+        }
+    }
+
+private:
+    static bool lighter(const Branch& a, const Branch& b) { return a.weight < b.weight; }
+
+    void push(const Branch& branch, Guide& guide) {
+        branches_.push_back(branch);
+        if (!guide.admit(branches_.back())) {
+            branches_.pop_back();
+        } else if (heaviest_first_) {
+            std::push_heap(branches_.begin(), branches_.end(), lighter);
+        }
+    }
+
+    const Medium& medium(int gem) {
+        const auto g = static_cast<std::size_t>(gem);
+        if (media_wavelength_[g] != wavelength_nm_) {
+            const Crystal& crystal = world_.scene().gems[g].crystal;
+            const double n = crystal.indices[0](wavelength_nm_);
+            media_[g] = crystal.birefringent()
+                            ? Medium::uniaxial(n, crystal.indices[1](wavelength_nm_), crystal.axis)
+                            : Medium::isotropic(n);
+            media_wavelength_[g] = wavelength_nm_;
+        }
+        return media_[g];
+    }
+
+    void follow_inside(const Branch& b, Guide& guide) {
+        if (!guide.may_meet(b)) return guide.lose(b.weight);
+        double distance = 0;
+        const int facet = world_.planes(b.gem).exit(b.position, b.ray, b.facet, distance);
+        if (facet < 0) return guide.lose(b.weight);
+        const Stone& stone = world_.scene().gems[static_cast<std::size_t>(b.gem)].stone;
+        meet_face(b, b.position + distance * b.ray, medium(b.gem), air_,
+                  stone.facets[static_cast<std::size_t>(facet)].normal, b.gem, facet, guide);
+    }
+
+    void follow_outside(const Branch& b, Guide& guide) {
+        Hit hit;
+        if (!world_.nearest({b.position, b.ray}, b.from, hit)) return see_environment(b, guide);
+        const Vec3 point = b.position + hit.distance * b.ray;
+        if (hit.thing >= 0) return meet_thing(b, point, hit, guide);
+        if (!guide.may_meet(b)) return guide.lose(b.weight);
+        const Stone& stone = world_.scene().gems[static_cast<std::size_t>(hit.gem)].stone;
+        meet_face(b, point, air_, medium(hit.gem),
+                  -stone.facets[static_cast<std::size_t>(hit.facet)].normal, hit.gem, hit.facet,
+                  guide);
+    }
+
+    /// The event itself: one branch becomes up to four, whose powers sum to its own.
+    void meet_face(const Branch& b, const Vec3& point, const Medium& from, const Medium& to,
+                   const Vec3& normal, int gem, int facet, Guide& guide) {
+        ++events_;
+        Wave incident;
+        incident.mode = b.gem >= 0 && from.birefringent ? b.mode : Mode::s;
+        incident.k = complexified(b.k);
+        const Interface face(from, to, normal, incident);
+
+        // Amplitudes of the incident waves: one mode of a crystal, or s and p of an isotropic
+        // medium.
+        auto incoming = b.amplitude;
+        std::size_t first = 0, last = 1;
+        if (from.birefringent) {
+            first = last = b.mode == Mode::ordinary ? 0 : 1;
+            for (auto& row : incoming) row = {row[0], row[0]};
+        } else {
+            const Vec3& s = face.s_direction();
+            const Vec3 p = cross(b.k, s) / from.n_o;
+            const double s0 = dot(s, b.basis[0]), s1 = dot(s, b.basis[1]);
+            const double p0 = dot(p, b.basis[0]), p1 = dot(p, b.basis[1]);
+            for (auto& row : incoming) {
+                row = {row[0] * s0 + row[1] * s1, row[0] * p0 + row[1] * p1};
+            }
+        }
+
+        Branch child = b;
+        child.position = point;
+        child.hits = b.hits + 1;
+        child.one_wavelength =
+            b.one_wavelength ||
+            world_.scene().gems[static_cast<std::size_t>(gem)].crystal.dispersive();
+        for (const bool transmitted : {false, true}) {
+            const Medium& medium_out = transmitted ? to : from;
+            const bool inside = (b.gem >= 0) != transmitted;
+            child.gem = inside ? gem : -1;
+            child.facet = facet;
+            child.from = {gem, -1};
+            if (medium_out.birefringent) {
+                for (std::size_t i = 0; i < 2; ++i) {
+                    if (!face.propagating(transmitted, i)) continue;
+                    const Wave wave = transmitted ? face.transmitted(i) : face.reflected(i);
+                    child.mode = wave.mode;
+                    launch(child, wave);
+                    for (std::size_t axis = 0; axis < 2; ++axis) {
+                        child.amplitude[axis] = {
+                            outgoing(face, incoming[axis], first, last, transmitted, i), 0};
+                    }
+                    send(child, guide);
+                }
+            } else if (face.propagating(transmitted, 0)) {
+                const Wave wave = transmitted ? face.transmitted(0) : face.reflected(0);
+                launch(child, wave);
+                child.basis = {face.s_direction(),
+                               cross(child.k, face.s_direction()) / medium_out.n_o};
+                for (std::size_t axis = 0; axis < 2; ++axis) {
+                    for (std::size_t i = 0; i < 2; ++i) {
+                        child.amplitude[axis][i] =
+                            outgoing(face, incoming[axis], first, last, transmitted, i);
+                    }
+                }
+                send(child, guide);
+            }
+        }
+    }
+
+    static void launch(Branch& child, const Wave& wave) {
+        child.k = real(wave.k);
+        child.ray = wave.ray;
+    }
+
+    static Complex outgoing(const Interface& face, const std::array<Complex, 2>& incoming,
+                            std::size_t first, std::size_t last, bool transmitted, std::size_t i) {
+        Complex sum = 0;
+        for (std::size_t m = first; m <= last; ++m) {
+            sum += incoming[m] * face.flux_amplitude(m, transmitted, i);
+        }
+        return sum;
+    }
+
+    void send(Branch& child, Guide& guide) {
+        child.weight = child.power() * (child.diffused ? child.response.s0 : 1);
+        push(child, guide);
+    }
+
+    void see_environment(const Branch& b, Guide& guide) {
+        const Environment& sky = world_.scene().environment;
+        Stokes seen;
+        if (sky.state == Stokes{1, 0, 0, 0}) {
+            seen = b.unpolarised();
+        } else {
+            const Vec3 pole = std::abs(b.ray.y) < 1 - 1e-12 ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
+            const Vec3 y = normalised(pole - dot(pole, b.ray) * b.ray);
+            seen = b.polarised(sky.state, cross(b.ray, y), y);
+        }
+        const double height = 0.5 * (1 + dot(b.ray, sky.up));
+        guide.see(palette_.below, (1 - height) * seen, b.one_wavelength);
+        guide.see(palette_.above, height * seen, b.one_wavelength);
+    }
+
+    void meet_thing(const Branch& b, const Vec3& point, const Hit& hit, Guide& guide) {
+        const Scene& scene = world_.scene();
+        const auto index = static_cast<std::size_t>(hit.thing);
+        const Thing& thing = scene.things[index];
+        const bool first = shows_first(thing.pigment, point, hit.normal);
+        const Stokes seen = b.unpolarised();
+        if (thing.finish.emission != 0) {
+            const auto& paint = palette_.things[index];
+            guide.see(first ? paint.first : paint.second, thing.finish.emission * seen,
+                      b.one_wavelength);
+        }
+        if (thing.finish.diffuse == 0) return;
+        const double albedo = thing.finish.diffuse *
+                              (first ? thing.pigment.first : thing.pigment.second)(wavelength_nm_);
+        if (albedo == 0) return;
+        const Departure here{-1, hit.thing};
+        for (const Light& light : scene.lights) {
+            const auto [u, v] = guide.diffuse_point(0);
+            const Vec3 to_light =
+                light.position + (u - 0.5) * light.edge_u + (v - 0.5) * light.edge_v - point;
+            const double distance = length(to_light);
+            const double cosine = dot(to_light, hit.normal) / distance;
+            if (!(cosine > 0) || world_.blocked({point, to_light / distance}, here, distance))
+                continue;
+            const double fade =
+                light.fade_distance > 0 && light.fade_power > 0
+                    ? 2 / (1 + std::pow(distance / light.fade_distance, light.fade_power))
+                    : 1;
+            guide.see_at_wavelength(albedo * cosine * fade * light.light(wavelength_nm_), seen);
+        }
+        const int rays = guide.diffuse_rays(b);
+        if (rays == 0) return guide.lose(b.weight * albedo);
+        for (int i = 0; i < rays; ++i) {
+            const auto [u, v] = guide.diffuse_point(i);
+            const Vec3 out = cosine_direction(hit.normal, u, v);
+            Branch child = Branch::from_sensor(point, out, any_perpendicular(out));
+            child.from = here;
+            child.diffused = child.one_wavelength = true;
+            child.response = (albedo / rays) * seen;
+            child.hits = b.hits;
+            child.weight = child.response.s0;
+            push(child, guide);
+        }
+    }
+
+    const World& world_;
+    const Palette& palette_;
+    bool heaviest_first_;
+    Medium air_ = Medium::isotropic(1);
+    double wavelength_nm_ = 0;
+    std::vector<Medium> media_;
+    std::vector<double> media_wavelength_;
+    std::vector<Branch> branches_;
+    std::uint64_t events_ = 0;
+};
+
+}  // namespace icespar

@@ -1,0 +1,75 @@
+// What a ray outside the stones meets: gems, things, and how far away.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "scene/scene.hpp"
+
+namespace icespar {
+
+struct Ray {
+    Vec3 origin, direction;  ///< unit direction
+};
+
+/// The object a ray has just left; a convex gem or a plane cannot be met again at once.
+struct Departure {
+    int gem = -1, thing = -1;
+};
+
+struct Hit {
+    double distance = 0;
+    int gem = -1, thing = -1;  ///< exactly one of them is set
+    int facet = -1;            ///< of the gem
+    Vec3 normal{};             ///< of the thing, unit, towards the ray's origin
+};
+
+/// Facet planes laid out for the loop that asks them all.
+struct FacetPlanes {
+    std::vector<double> nx, ny, nz, distance;
+    explicit FacetPlanes(const Stone& stone);
+
+    /// The facet through which a ray inside leaves, the one just left excepted. The least distance
+    /// over the planes ahead; a position that rounding put beyond a plane leaves there at once.
+    [[nodiscard]] int exit(const Vec3& origin, const Vec3& direction, int left_facet,
+                           double& distance) const;
+
+    /// Where a ray from outside enters, or -1.
+    [[nodiscard]] int entry(const Vec3& origin, const Vec3& direction, double& distance) const;
+};
+
+class BoundedObjects;
+
+/// The scene arranged for intersection. Keeps references into it.
+class World {
+public:
+    /// `use_tree`: let Embree find bounded objects; otherwise all are asked in turn (cheaper for a
+    /// few).
+    World(const Scene& scene, bool use_tree);
+    explicit World(const Scene& scene);
+    ~World();
+    World(const World&) = delete;
+    World& operator=(const World&) = delete;
+
+    [[nodiscard]] bool nearest(const Ray& ray, const Departure& from, Hit& hit) const;
+    /// Whether anything (gems count) stands between the ray's origin and `distance`.
+    [[nodiscard]] bool blocked(const Ray& ray, const Departure& from, double distance) const;
+
+    [[nodiscard]] const FacetPlanes& planes(int gem) const {
+        return planes_[static_cast<std::size_t>(gem)];
+    }
+    [[nodiscard]] const Scene& scene() const { return scene_; }
+
+private:
+    friend class BoundedObjects;
+    /// Updates `hit` when object number `object` (gems first, then bounded things) is nearer.
+    bool meet(int object, const Ray& ray, const Departure& from, Hit& hit) const;
+    bool meet_thing(int thing, const Ray& ray, const Departure& from, Hit& hit) const;
+
+    const Scene& scene_;
+    std::vector<FacetPlanes> planes_;
+    std::vector<int> unbounded_, bounded_;  ///< things: planes, and the others
+    std::unique_ptr<BoundedObjects> tree_;
+};
+
+}  // namespace icespar

@@ -1,0 +1,61 @@
+// The last look at a scene before light enters it.
+#include "scene/scene.hpp"
+
+namespace icespar {
+namespace {
+
+bool inside(const Stone& stone, const Vec3& point) {
+    for (const Facet& f : stone.facets) {
+        if (dot(f.normal, point) > f.distance) return false;
+    }
+    return true;
+}
+
+void check_gem(const Gem& gem, std::vector<std::string>& out) {
+    if (gem.stone.facets.size() < 4) out.push_back(gem.name + ": this stone is not closed");
+    for (const Facet& f : gem.stone.facets) {
+        if (!is_finite(f.normal) || !std::isfinite(f.distance)) {
+            out.push_back(gem.name + ": facet '" + f.name + "' is not finite");
+        }
+    }
+    if (gem.crystal.indices.empty() || gem.crystal.indices.size() > 2) {
+        out.push_back(gem.name + ": a stone needs one index (isotropic) or two (uniaxial)");
+    }
+    for (const IndexFunction& n : gem.crystal.indices) {
+        if (!n.valid()) {
+            out.push_back(gem.name +
+                          ": a refractive index is below 1 or not finite between 380 and 780 nm");
+        }
+    }
+    const double axis = length(gem.crystal.axis);
+    if (!(std::abs(axis - 1) < 1e-6))
+        out.push_back(gem.name + ": the optic axis is not a unit vector");
+}
+
+}  // namespace
+
+std::vector<std::string> faults(const Scene& scene) {
+    std::vector<std::string> out;
+    const Camera& c = scene.camera;
+    if (!is_finite(c.location) || !is_finite(c.direction) || !is_finite(c.right) ||
+        !is_finite(c.up) || !(std::abs(dot(c.direction, cross(c.right, c.up))) > 0)) {
+        out.push_back("camera: direction, right and up must be finite and not in one plane");
+    }
+    for (std::size_t i = 0; i < scene.gems.size(); ++i) {
+        const Gem& gem = scene.gems[i];
+        check_gem(gem, out);
+        if (c.kind == Camera::Kind::perspective && inside(gem.stone, c.location)) {
+            out.push_back(gem.name + ": the camera is inside this stone; move it out");
+        }
+        for (std::size_t j = i + 1; j < scene.gems.size(); ++j) {
+            Vec3 where;
+            if (overlap(gem.stone, scene.gems[j].stone, where)) {
+                out.push_back(gem.name + ": this stone overlaps the one at " + scene.gems[j].name +
+                              "; move them apart");
+            }
+        }
+    }
+    return out;
+}
+
+}  // namespace icespar
