@@ -1,0 +1,38 @@
+// Energy balance and reversibility of the interface core, for tests and benches alike.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "support/interface_cases.hpp"
+
+namespace icespar::testing {
+
+/// Reflected + transmitted power minus 1; NaN when any power is not finite or is negative.
+[[nodiscard]] double energy_error(const InterfaceCase& c);
+
+/// Largest difference between the power of a passage from the incident wave a to an outgoing wave b and that
+/// from b reversed to a reversed, weighted with the smallest of 1, the cosines of both rays with the normal and
+/// the sines that define the polarisations of a and b (below 1e-7 those are a matter of choice: then 0).
+[[nodiscard]] double reciprocity_error(const InterfaceCase& c);
+
+/// Keeps the worst cases of a long run.
+class EnergyTally {
+public:
+    void add(const InterfaceCase& c);
+    /// Largest |R + T - 1| cos_ray in units of 1e-13.
+    [[nodiscard]] double worst_excess() const;
+    [[nodiscard]] long invalid() const { return invalid_; }  ///< with NaN, infinity or negative power
+    [[nodiscard]] long count() const { return count_; }
+    [[nodiscard]] std::string report() const;
+
+private:
+    struct Entry {
+        double error, excess;
+        InterfaceCase problem;
+    };
+    long count_ = 0, invalid_ = 0;
+    std::vector<Entry> worst_;  ///< at most ten, worst first; invalid ones have infinite excess
+};
+
+}  // namespace icespar::testing
