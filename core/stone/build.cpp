@@ -1,0 +1,216 @@
+// Stones from facet planes and from points: checks, facets that belong together, and what to say
+// when there is no stone.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <utility>
+
+#include "math/error.hpp"
+#include "stone/polyhedron.hpp"
+
+namespace icespar {
+namespace {
+
+/// Planes are the same when their unit normals, and their relative offsets, differ by no more.
+constexpr double coincidence = 1e-9;
+/// Thickness of a face of a hull, in units of the hull's size; points with six decimals have it.
+constexpr double flatness = 1e-6;
+/// A stone longer than this many of its inner radii is open, but for rounding.
+constexpr double longest = 1e9;
+
+std::string label(const std::string& name, std::size_t index) {
+    return name.empty() ? "facet " + std::to_string(index + 1) : name;
+}
+
+/// "facet 7" or "facet 7 ('P1')".
+std::string quoted(const FacetPlane& plane, std::size_t index) {
+    std::string text = "facet " + std::to_string(index + 1);
+    if (!plane.name.empty()) text += " ('" + plane.name + "')";
+    return text;
+}
+
+/// "a, b and c".
+std::string listed(const std::vector<std::string>& items) {
+    std::string text;
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        if (i > 0) text += i + 1 == items.size() ? " and " : ", ";
+        text += items[i];
+    }
+    return text;
+}
+
+std::string written(const Vec3& v) {
+    char text[80];
+    // Adding 0 turns -0 into 0.
+    const auto digits = [](double x) { return std::round(x * 1000) / 1000 + 0.0; };
+    std::snprintf(text, sizeof text, "<%g, %g, %g>", digits(v.x), digits(v.y), digits(v.z));
+    return text;
+}
+
+/// The few directions that differ, in the order given.
+std::string open_directions(const std::vector<Vec3>& open) {
+    constexpr std::size_t most = 4;
+    std::vector<std::string> names;
+    for (const Vec3& direction : open) {
+        const double largest =
+            std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)});
+        const std::string name = written(normalised(direction / largest));
+        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    }
+    if (names.size() > most) {
+        const std::size_t more = names.size() - (most - 1);
+        names.resize(most - 1);
+        names.push_back(std::to_string(more) + " more directions");
+    }
+    return listed(names);
+}
+
+void check_plane(const FacetPlane& plane, std::size_t index) {
+    const bool finite = is_finite(plane.normal) && std::isfinite(plane.distance) &&
+                        std::isfinite(std::hypot(plane.normal.x, plane.normal.y, plane.normal.z));
+    if (!finite) {
+        throw Error(quoted(plane, index) +
+                    " has a number that is not finite: give its normal and distance as numbers");
+    }
+    if (plane.normal == Vec3{}) {
+        throw Error(quoted(plane, index) +
+                    " has the normal <0, 0, 0>: give the direction that it faces");
+    }
+}
+
+/// The planes without later ones that coincide with earlier ones, by number. Offsets are compared
+/// as seen from the centre, so that neither size nor place matters.
+std::vector<std::size_t> distinct_planes(std::span<const FacetPlane> planes, const Vec3& centre) {
+    struct Seen {
+        Vec3 normal;
+        double offset;
+    };
+    std::vector<Seen> seen;
+    std::vector<std::size_t> distinct;
+    for (std::size_t i = 0; i < planes.size(); ++i) {
+        const Vec3& n = planes[i].normal;
+        const double norm = std::hypot(n.x, n.y, n.z);
+        const Seen plane{n / norm, planes[i].distance / norm - dot(n / norm, centre)};
+        const bool known = std::any_of(seen.begin(), seen.end(), [&](const Seen& other) {
+            return length(other.normal - plane.normal) <= coincidence &&
+                   std::abs(other.offset - plane.offset) <= coincidence * std::abs(other.offset);
+        });
+        if (known) continue;
+        seen.push_back(plane);
+        distinct.push_back(i);
+    }
+    return distinct;
+}
+
+/// The mean of the hull's corners.
+Vec3 middle(std::span<const Vec3> points, std::span<const Triangle> triangles) {
+    Vec3 sum;
+    for (const Triangle& t : triangles) {
+        for (const std::uint32_t corner : t) sum += points[corner] - points[0];
+    }
+    return points[0] + sum / (3.0 * static_cast<double>(triangles.size()));
+}
+
+std::vector<std::uint32_t> corners_of(std::span<const Triangle> triangles,
+                                      const std::vector<std::uint32_t>& face) {
+    std::vector<std::uint32_t> corners;
+    for (const std::uint32_t t : face) {
+        corners.insert(corners.end(), triangles[t].begin(), triangles[t].end());
+    }
+    std::sort(corners.begin(), corners.end());
+    corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+    return corners;
+}
+
+/// A lone triangle's plane is exact; a merged face has the area-weighted normal, and touches the
+/// points from outside.
+HalfSpace plane_of(std::span<const Vec3> points, std::span<const Triangle> triangles,
+                   const std::vector<std::uint32_t>& face) {
+    if (face.size() == 1) {
+        const auto& [a, b, c] = triangles[face.front()];
+        return {{}, 0, std::array{points[a], points[b], points[c]}};
+    }
+    Vec3 area;
+    for (const std::uint32_t t : face) area += vector_area(points, triangles[t]);
+    double distance = -std::numeric_limits<double>::infinity();
+    for (const Vec3& p : points) distance = std::max(distance, dot(area, p));
+    return {area, distance};
+}
+
+}  // namespace
+
+Stone Stone::from_planes(std::span<const FacetPlane> planes) {
+    if (planes.empty()) throw Error("a stone needs facets: give at least four planes");
+    std::vector<HalfSpace> half_spaces;
+    for (std::size_t i = 0; i < planes.size(); ++i) {
+        check_plane(planes[i], i);
+        half_spaces.push_back({planes[i].normal, planes[i].distance});
+    }
+
+    const InnerBall ball = inner_ball(half_spaces);
+    if (!(ball.radius > 0)) {
+        std::vector<std::string> names;
+        for (const std::size_t i : ball.touching) names.push_back(quoted(planes[i], i));
+        throw Error("nothing is left of the stone: " + listed(names) +
+                    " leave no room between them; check their distances and which way they face");
+    }
+    const std::vector<std::size_t> distinct = distinct_planes(planes, ball.centre);
+    std::vector<HalfSpace> kept;
+    for (const std::size_t i : distinct) kept.push_back(half_spaces[i]);
+    Intersection found = intersection(kept, ball.centre);
+    for (const Vec3& v : found.stone.vertices) {
+        const Vec3 from_centre = v - ball.centre;
+        if (length(from_centre) > longest * ball.radius) found.open.push_back(from_centre);
+    }
+    if (!found.open.empty()) {
+        throw Error("the stone is not closed: it runs out towards " + open_directions(found.open) +
+                    "; add facets that face that way");
+    }
+
+    Stone stone = std::move(found.stone);
+    auto facet = stone.facets.begin();
+    auto unreached = found.unreached.begin();
+    for (std::size_t k = 0; k < distinct.size(); ++k) {
+        const std::size_t i = distinct[k];
+        if (unreached != found.unreached.end() && *unreached == k) {
+            stone.unreached.push_back(label(planes[i].name, i));
+            ++unreached;
+        } else {
+            (facet++)->name = planes[i].name;
+        }
+    }
+    return stone;
+}
+
+Stone Stone::from_points(std::span<const Vec3> points) {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (is_finite(points[i])) continue;
+        throw Error("point " + std::to_string(i + 1) +
+                    " of the hull is not finite: give its coordinates as numbers");
+    }
+    const Error flat("the " + std::to_string(points.size()) +
+                     " points lie in one plane: a hull needs at least four that do not");
+    const std::vector<Triangle> triangles = hull_triangles(points);
+    if (triangles.empty()) throw flat;
+
+    const Vec3 centre = middle(points, triangles);
+    double radius = 0;
+    for (const Vec3& p : points) radius = std::max(radius, length(p - centre));
+    const auto faces = coplanar_faces(points, triangles, flatness * 2 * radius);
+
+    std::vector<std::pair<std::vector<std::uint32_t>, HalfSpace>> planes;
+    for (const auto& face : faces) {
+        planes.emplace_back(corners_of(triangles, face), plane_of(points, triangles, face));
+    }
+    // By the numbers of their corners: the order does not depend on how the hull was found.
+    std::sort(planes.begin(), planes.end(),
+              [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<HalfSpace> half_spaces;
+    for (const auto& plane : planes) half_spaces.push_back(plane.second);
+    Intersection found = intersection(half_spaces, centre);
+    if (!found.open.empty()) throw flat;
+    return std::move(found.stone);
+}
+
+}  // namespace icespar
