@@ -26,16 +26,18 @@ struct Image {
 };
 
 /// OpenEXR, float: R, G, B; with bands `S0.560,000000nm` ... (and S1..S3) after Fichet, Pacanowski and
-/// Wilkie 2021; without bands and with stokes `S0.R` ... `S3.B` as Mitsuba 3 names them. Throws Error.
+/// Wilkie 2021; without bands and with stokes `S0.R` ... `S3.B` as Mitsuba 3 names them. Metadata become
+/// string attributes named `icespar:KEY`. Throws Error.
 void write_exr(const Image& image, const std::string& path);
 
-/// 8-bit sRGB, clipped at 0 and 1. Throws Error.
+/// 8-bit sRGB, clipped at 0 and 1; what is not a number is black. Throws Error.
 void write_png(const Image& image, const std::string& path);
 /// The same in memory.
 [[nodiscard]] std::vector<unsigned char> png_bytes(const Image& image);
 
 /// Runs `write` with a temporary name in the same folder, then renames to `path`; when `write` throws, the
-/// temporary file is removed and `path` is untouched.
+/// temporary file is removed and `path` is untouched. A device or pipe is written to directly. Throws
+/// Error when the folder is missing or `path` may not be written.
 void write_whole(const std::string& path, const std::function<void(const std::string&)>& write);
 
 }  // namespace icespar

@@ -116,6 +116,6 @@ TEST_CASE("a faulty table is refused with the line at fault", "[mineral][table]"
                       Contains("takes 2 indices"));
     CHECK_THROWS_WITH(row("a,A,X,c,isotropic,0.5,,,0,cauchy_AB_um2,0.5 0,,,1,B"),
                       Contains("below 1"));
-    CHECK_THROWS_WITH(row("a,\"A,X\n"), Contains("line 2") && Contains("quote"));
+    CHECK_THROWS_WITH(row("a,\"A,X\n"), Contains("line 2") && Contains("opened"));
     CHECK_THROWS_WITH(row("a,A,X,c,shiny,1.5,,,0,cauchy_AB_um2,1.5 0,,,1,B"), Contains("shiny"));
 }
