@@ -49,8 +49,8 @@ Bytes first_channel(const std::vector<float>& greys) {
 TEST_CASE("a PNG has the sRGB curve of IEC 61966-2-1", "[png]") {
     // Half of the light is 188; the photographer's 18 % grey is 118; 0.0025 lies on the straight
     // piece.
-    CHECK(first_channel({0, 1, 0.5f, 0.18f, 0.0025f, 0.2158605f}) ==
-          Bytes{0, 255, 188, 118, 8, 128});
+    CHECK(first_channel({0, 1, 0.5f, 0.18f, 0.001f, 0.0025f, 0.2158605f}) ==
+          Bytes{0, 255, 188, 118, 3, 8, 128});
 }
 
 TEST_CASE("what is out of range or no number still has a PNG value", "[png]") {
