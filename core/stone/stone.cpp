@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "stone/polyhedron.hpp"
 
@@ -22,36 +21,6 @@ Extent extent(std::span<const Vec3> points, const Vec3& direction) {
         e.high = std::max(e.high, at);
     }
     return e;
-}
-
-double width(std::span<const Vec3> points, const Vec3& direction) {
-    const Extent e = extent(points, direction);
-    return e.high - e.low;
-}
-
-/// z of (b - a) x (c - a).
-double turn(const Vec3& a, const Vec3& b, const Vec3& c) {
-    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
-
-/// The outline seen along z, counter-clockwise (Andrew 1979, monotone chain).
-std::vector<Vec3> outline(std::vector<Vec3> points) {
-    for (Vec3& p : points) p.z = 0;
-    std::sort(points.begin(), points.end(),
-              [](const Vec3& a, const Vec3& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
-    std::vector<Vec3> hull;
-    for (int half = 0; half < 2; ++half) {
-        const std::size_t start = hull.size();
-        for (const Vec3& p : points) {
-            while (hull.size() >= start + 2 && turn(hull[hull.size() - 2], hull.back(), p) <= 0) {
-                hull.pop_back();
-            }
-            hull.push_back(p);
-        }
-        hull.pop_back();
-        std::reverse(points.begin(), points.end());
-    }
-    return hull;
 }
 
 }  // namespace
@@ -74,25 +43,13 @@ Stone Stone::transformed(const Transform& t) const {
 }
 
 GirdleSize girdle_size(const Stone& stone) {
-    GirdleSize size;
-    if (stone.vertices.empty()) return size;
-    size.height = width(stone.vertices, {0, 0, 1});
-    // The least width of a convex outline is across one of its edges; among equals (a regular
-    // polygon's edges differ by rounding) the greatest length counts.
-    const std::vector<Vec3> corners = outline(stone.vertices);
-    size.width = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        const Vec3 edge = corners[(i + 1) % corners.size()] - corners[i];
-        const Vec3 along = normalised(edge);
-        const double across = width(corners, {along.y, -along.x, 0});
-        const double rounding = 1e-9 * across;
-        if (across > size.width + rounding) continue;
-        const double length_here = width(corners, along);
-        size.length =
-            across < size.width - rounding ? length_here : std::max(size.length, length_here);
-        size.width = std::min(size.width, across);
-    }
-    return size;
+    if (stone.vertices.empty()) return {};
+    const auto size = [&](const Vec3& axis) {
+        const Extent e = extent(stone.vertices, axis);
+        return e.high - e.low;
+    };
+    const auto [width, length] = std::minmax({size({1, 0, 0}), size({0, 1, 0})});
+    return {length, width, size({0, 0, 1})};
 }
 
 bool overlap(const Stone& a, const Stone& b, Vec3& where) {

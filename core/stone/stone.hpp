@@ -57,9 +57,8 @@ struct Stone {
     [[nodiscard]] Stone transformed(const Transform& t) const;
 };
 
-/// Sizes as a cutter states them: the girdle's outline seen along the dop axis (z). W is the least
-/// width over all directions in the girdle plane, L the extent at right angles to it, H the extent
-/// along z.
+/// Sizes as a faceting diagram states them: the outline seen along the dop axis (z), measured along
+/// the diagram's axes x and y. W is the lesser extent, L the greater, H the extent along z.
 struct GirdleSize {
     double length = 0, width = 0, height = 0;
 };
