@@ -20,8 +20,9 @@ Rows product(const Rows& a, const Rows& b) {
 Rows inverted(const Rows& r) {
     const double det = dot(r[0], cross(r[1], r[2]));
     if (!(std::abs(det) > 0) || !std::isfinite(1 / det)) {
-        throw Error("this transform flattens space (its determinant is 0): use scales and matrices "
-                    "that keep all three dimensions");
+        throw Error(
+            "this transform flattens space (its determinant is 0): use scales and matrices "
+            "that keep all three dimensions");
     }
     const Vec3 c0 = cross(r[1], r[2]) / det;
     const Vec3 c1 = cross(r[2], r[0]) / det;

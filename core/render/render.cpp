@@ -59,7 +59,7 @@ public:
     [[nodiscard]] bool may_meet(const Branch& b) const {
         return max_hits_ == 0 || b.hits < max_hits_;
     }
-    void lose(double weight) { dropped += weight; }
+    void lose(const Stokes& response) { dropped += response.s0; }
 
     void see(const Emitter& light, const Stokes& seen, bool one_wavelength) {
         if (one_wavelength) return see_at_wavelength(light.radiance(draw_.wavelength_nm), seen);
@@ -132,8 +132,9 @@ void check(const Scene& scene, const RenderOptions& o) {
         throw Error("error and time must be finite and not negative");
     }
     if (!in(o.bands, 0, most_bands)) throw Error("the number of bands must be between 0 and 400");
-    const auto problems = faults(scene);
-    if (!problems.empty()) throw Error(problems.front());
+    for (const auto& problems : {faults(scene), camera_faults(scene)}) {
+        if (!problems.empty()) throw Error(problems.front());
+    }
 }
 
 }  // namespace

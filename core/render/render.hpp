@@ -67,11 +67,13 @@ struct SensorRay {
 
 struct Traced {
     std::vector<Stokes> stokes;   ///< in units of the environment's illuminant at that wavelength
-    std::vector<double> dropped;  ///< weight given up by the bounds, per ray
+    /// What the branches given up by the bounds would have added under unit unpolarised light from
+    /// everywhere: in such a furnace stokes + dropped = (1, 0, 0, 0).
+    std::vector<Stokes> dropped;
 };
 
 /// The full tree of every ray at one wavelength, without roulette. With neither bound given, a
-/// branch of weight below 1e-16 ends, and a ray ends after 2^18 events, the heaviest branches
+/// branch of weight below 1e-16 ends, and a ray ends after 2^16 events, the heaviest branches
 /// first. Throws Error when a direction is zero or not finite, or x_axis is along it.
 [[nodiscard]] Traced trace(const Scene& scene, std::span<const SensorRay> rays,
                            const TraceOptions& options);

@@ -12,7 +12,7 @@
 namespace icespar {
 namespace {
 
-constexpr int unbounded_events = 1 << 18;
+constexpr int unbounded_events = 1 << 16;
 constexpr double negligible = 1e-16;
 
 /// A diffuse surface asks this many fixed directions, once: surfaces lit by surfaces end there.
@@ -27,7 +27,7 @@ public:
 
     void begin() {
         seen = {};
-        dropped = 0;
+        dropped = {};
         meetings_ = 0;
     }
     bool admit(const Branch&) const { return true; }
@@ -36,7 +36,7 @@ public:
         if (b.weight < (bounded_ ? options_.threshold : negligible)) return false;
         return bounded_ || ++meetings_ <= unbounded_events;
     }
-    void lose(double weight) { dropped += weight; }
+    void lose(const Stokes& response) { dropped += response; }
     void see(const Emitter& light, const Stokes& s, bool) {
         see_at_wavelength(light.radiance(options_.wavelength_nm), s);
     }
@@ -52,7 +52,7 @@ public:
     }
 
     Stokes seen;
-    double dropped = 0;
+    Stokes dropped;
 
 private:
     TraceOptions options_;
@@ -78,6 +78,9 @@ Traced trace(const Scene& scene, std::span<const SensorRay> rays, const TraceOpt
         if (!is_finite(r.origin)) throw Error("origins" + place + " is not finite");
         if (!is_finite(r.direction) || !(size > 0) || !std::isfinite(size)) {
             throw Error("directions" + place + " must be finite and not zero");
+        }
+        if (gem_around(scene, r.origin) != nullptr) {
+            throw Error("origins" + place + " lies inside a stone; start the ray outside");
         }
         const Vec3 d = r.direction / size;
         const double x_size = length(r.x_axis);

@@ -14,13 +14,14 @@
 namespace icespar {
 
 /// Walks depth first, or heaviest branch first. The guide decides and collects:
-///   bool admit(Branch&)                    may drop the branch, or raise its weight when it
-///   survives roulette bool may_meet(const Branch&)           false: the branch ends before its
-///   next interface event void see(const Emitter&, const Stokes&, bool one_wavelength)     light
-///   that arrives void see_at_wavelength(double radiance, const Stokes&)           the same at the
-///   traced wavelength void lose(double weight)               power given up without roulette int
-///   diffuse_rays(const Branch&)       how many rays a diffuse surface sends on Pair
-///   diffuse_point(int ray)            where in the unit square ray number `ray` is drawn
+///
+///   admit(Branch&)                  false drops a branch; one that survives roulette gains weight
+///   may_meet(branch)                false: the branch ends before its next interface event
+///   lose(stokes)                    the response of a branch given up without roulette
+///   see(emitter, stokes, at_one)    light that arrives; at_one: only at the traced wavelength
+///   see_at_wavelength(L, stokes)    spectral radiance L at the traced wavelength
+///   diffuse_rays(branch)            how many rays a diffuse surface sends on
+///   diffuse_point(ray)              where in the unit square ray number `ray` is drawn
 template <class Guide>
 class Walker {
 public:
@@ -75,10 +76,10 @@ private:
     }
 
     void follow_inside(const Branch& b, Guide& guide) {
-        if (!guide.may_meet(b)) return guide.lose(b.weight);
+        if (!guide.may_meet(b)) return guide.lose(b.unpolarised());
         double distance = 0;
         const int facet = world_.planes(b.gem).exit(b.position, b.ray, b.facet, distance);
-        if (facet < 0) return guide.lose(b.weight);
+        if (facet < 0) return guide.lose(b.unpolarised());
         const Stone& stone = world_.scene().gems[static_cast<std::size_t>(b.gem)].stone;
         meet_face(b, b.position + distance * b.ray, medium(b.gem), air_,
                   stone.facets[static_cast<std::size_t>(facet)].normal, b.gem, facet, guide);
@@ -89,7 +90,7 @@ private:
         if (!world_.nearest({b.position, b.ray}, b.from, hit)) return see_environment(b, guide);
         const Vec3 point = b.position + hit.distance * b.ray;
         if (hit.thing >= 0) return meet_thing(b, point, hit, guide);
-        if (!guide.may_meet(b)) return guide.lose(b.weight);
+        if (!guide.may_meet(b)) return guide.lose(b.unpolarised());
         const Stone& stone = world_.scene().gems[static_cast<std::size_t>(hit.gem)].stone;
         meet_face(b, point, air_, medium(hit.gem),
                   -stone.facets[static_cast<std::size_t>(hit.facet)].normal, hit.gem, hit.facet,
@@ -227,7 +228,7 @@ private:
             guide.see_at_wavelength(albedo * cosine * fade * light.light(wavelength_nm_), seen);
         }
         const int rays = guide.diffuse_rays(b);
-        if (rays == 0) return guide.lose(b.weight * albedo);
+        if (rays == 0) return guide.lose(albedo * seen);
         for (int i = 0; i < rays; ++i) {
             const auto [u, v] = guide.diffuse_point(i);
             const Vec3 out = cosine_direction(hit.normal, u, v);

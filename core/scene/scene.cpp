@@ -6,9 +6,9 @@ namespace {
 
 bool inside(const Stone& stone, const Vec3& point) {
     for (const Facet& f : stone.facets) {
-        if (dot(f.normal, point) > f.distance) return false;
+        if (dot(f.normal, point) >= f.distance) return false;
     }
-    return true;
+    return !stone.facets.empty();
 }
 
 void check_gem(const Gem& gem, std::vector<std::string>& out) {
@@ -34,19 +34,32 @@ void check_gem(const Gem& gem, std::vector<std::string>& out) {
 
 }  // namespace
 
-std::vector<std::string> faults(const Scene& scene) {
+const Gem* gem_around(const Scene& scene, const Vec3& point) {
+    for (const Gem& gem : scene.gems) {
+        if (inside(gem.stone, point)) return &gem;
+    }
+    return nullptr;
+}
+
+std::vector<std::string> camera_faults(const Scene& scene) {
     std::vector<std::string> out;
     const Camera& c = scene.camera;
     if (!is_finite(c.location) || !is_finite(c.direction) || !is_finite(c.right) ||
         !is_finite(c.up) || !(std::abs(dot(c.direction, cross(c.right, c.up))) > 0)) {
         out.push_back("camera: direction, right and up must be finite and not in one plane");
     }
+    const Gem* gem = gem_around(scene, c.location);
+    if (c.kind == Camera::Kind::perspective && gem != nullptr) {
+        out.push_back(gem->name + ": the camera is inside this stone; move it out");
+    }
+    return out;
+}
+
+std::vector<std::string> faults(const Scene& scene) {
+    std::vector<std::string> out;
     for (std::size_t i = 0; i < scene.gems.size(); ++i) {
         const Gem& gem = scene.gems[i];
         check_gem(gem, out);
-        if (c.kind == Camera::Kind::perspective && inside(gem.stone, c.location)) {
-            out.push_back(gem.name + ": the camera is inside this stone; move it out");
-        }
         for (std::size_t j = i + 1; j < scene.gems.size(); ++j) {
             Vec3 where;
             if (overlap(gem.stone, scene.gems[j].stone, where)) {

@@ -98,8 +98,14 @@ struct Scene {
     std::string title;        ///< first comment line of the file
 };
 
-/// Faults of a finished scene that would make a wrong picture: overlapping gems, an index below 1, a
-/// camera inside a gem, numbers that are not finite. Empty when all is well.
+/// Faults of a finished scene that would make a wrong picture: overlapping gems, an index below 1, numbers
+/// that are not finite. Empty when all is well.
 [[nodiscard]] std::vector<std::string> faults(const Scene& scene);
+
+/// The same for its camera, which must not stand inside a gem.
+[[nodiscard]] std::vector<std::string> camera_faults(const Scene& scene);
+
+/// The gem that holds this point in its interior, or nothing.
+[[nodiscard]] const Gem* gem_around(const Scene& scene, const Vec3& point);
 
 }  // namespace icespar

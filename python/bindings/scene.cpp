@@ -70,12 +70,14 @@ py::tuple trace_scene(const Scene& scene, const Doubles& origins, const Doubles&
         const py::gil_scoped_release unlocked;
         traced = trace(scene, rays, options);
     }
-    Doubles stokes({static_cast<py::ssize_t>(rays.size()), py::ssize_t{4}});
-    double* out = stokes.mutable_data();
-    for (const Stokes& s : traced.stokes)
-        for (const double value : {s.s0, s.s1, s.s2, s.s3}) *out++ = value;
-    return py::make_tuple(
-        stokes, Doubles(static_cast<py::ssize_t>(traced.dropped.size()), traced.dropped.data()));
+    const auto array = [](const std::vector<Stokes>& vectors) {
+        Doubles out({static_cast<py::ssize_t>(vectors.size()), py::ssize_t{4}});
+        double* at = out.mutable_data();
+        for (const Stokes& s : vectors)
+            for (const double value : {s.s0, s.s1, s.s2, s.s3}) *at++ = value;
+        return out;
+    };
+    return py::make_tuple(array(traced.stokes), array(traced.dropped));
 }
 
 }  // namespace
@@ -144,7 +146,7 @@ void bind_scene(py::module_& module) {
         },
         "scene"_a, "origins"_a, "directions"_a, "x_axis"_a, py::kw_only(), "wavelength_nm"_a,
         "max_hits"_a, "threshold"_a, "threads"_a,
-        "Stokes vectors (N, 4) and dropped weights (N,).");
+        "Stokes vectors (N, 4) and what was dropped (N, 4).");
 }
 
 }  // namespace icespar::python
