@@ -9,21 +9,39 @@ namespace icespar::testing {
 
 const char* name(Stress stress) {
     static constexpr std::array<const char*, static_cast<std::size_t>(Stress::count)> names{
-        "ordinary",          "normal incidence",    "near normal",
-        "grazing",           "near critical",       "near critical, reflected mode",
-        "one mode evanescent", "axis on normal",    "axis near normal",
-        "axis on refracted", "axis on incident",    "axis in face",
-        "axis in plane",     "tiny birefringence",  "no birefringence",
-        "strong birefringence", "high ratio",       "same medium",
-        "same medium turned", "matched index",      "denser outside",
-        "crystal to crystal", "backward wave",      "merging evanescent"};
+        "ordinary",
+        "normal incidence",
+        "near normal",
+        "grazing",
+        "near critical",
+        "near critical, reflected mode",
+        "one mode evanescent",
+        "axis on normal",
+        "axis near normal",
+        "axis on refracted",
+        "axis on incident",
+        "axis in face",
+        "axis in plane",
+        "tiny birefringence",
+        "no birefringence",
+        "strong birefringence",
+        "high ratio",
+        "same medium",
+        "same medium turned",
+        "matched index",
+        "denser outside",
+        "crystal to crystal",
+        "backward wave",
+        "merging evanescent"};
     return names[static_cast<std::size_t>(stress)];
 }
 
 std::string InterfaceCase::text() const {
     std::ostringstream out;
     out.precision(17);
-    const auto vector = [&](const Vec3& v) { out << "{" << v.x << ", " << v.y << ", " << v.z << "}"; };
+    const auto vector = [&](const Vec3& v) {
+        out << "{" << v.x << ", " << v.y << ", " << v.z << "}";
+    };
     const auto medium = [&](const Medium& m) {
         out << (m.birefringent ? "uniaxial(" : "isotropic(") << m.n_o;
         if (m.birefringent) {
@@ -33,7 +51,9 @@ std::string InterfaceCase::text() const {
         out << ")";
     };
     medium(from), out << " -> ", medium(to), out << " normal ", vector(normal);
-    out << " direction ", vector(direction), out << " mode " << "spoe"[static_cast<int>(mode)];
+    out << " direction ", vector(direction),
+        out << " mode "
+            << "spoe"[static_cast<int>(mode)];
     return out.str();
 }
 
@@ -97,8 +117,7 @@ double discriminant(const Medium& m, bool extraordinary, const Vec3& normal, con
     if (!extraordinary) return m.n_o * m.n_o - dot(kt, kt);
     const Vec3 en = times_epsilon(m, normal);
     const double cross_term = dot(en, kt), square = dot(kt, times_epsilon(m, kt));
-    return cross_term * cross_term -
-           dot(en, normal) * (square - m.n_o * m.n_o * m.n_e * m.n_e);
+    return cross_term * cross_term - dot(en, normal) * (square - m.n_o * m.n_o * m.n_e * m.n_e);
 }
 
 /// Puts the direction at `angle` from the normal, in the plane of the normal and `tangent`.
@@ -114,8 +133,8 @@ double discriminant_at(InterfaceCase c, const Vec3& tangent, double angle, const
     return discriminant(side, extraordinary, c.normal, k - dot(k, c.normal) * c.normal);
 }
 
-/// Moves the direction to the angle where a mode of `side` turns evanescent, times 1 + offset; false when
-/// there is no such angle.
+/// Moves the direction to the angle where a mode of `side` turns evanescent, times 1 + offset;
+/// false when there is no such angle.
 bool to_critical(InterfaceCase& c, Random& random, const Medium& side, bool extraordinary,
                  double offset) {
     const Vec3 tangent = random.perpendicular_to(c.normal);
@@ -172,8 +191,7 @@ bool draw(InterfaceCase& c, Random& random, Stress stress) {
             break;
         case Stress::tiny_birefringence:
             for (Medium* m : {&c.from, &c.to})
-                if (m->birefringent)
-                    m->n_e = m->n_o + random.sign() * random.power_of_ten(-16, -2);
+                if (m->birefringent) m->n_e = m->n_o + random.sign() * random.power_of_ten(-16, -2);
             if (!c.from.birefringent && !c.to.birefringent) return false;
             break;
         case Stress::no_birefringence:

@@ -1,4 +1,5 @@
-// The interface core against the Maxwell reference, with the conditioning of each case as the yardstick.
+// The interface core against the Maxwell reference, with the conditioning of each case as the
+// yardstick.
 #pragma once
 
 #include <string>
@@ -16,9 +17,9 @@ struct Quantity {
 
 using Answer = std::vector<Quantity>;
 
-/// Of all waves: k, E, ray, power and field at the face; and the totals. Where the polarisation of the
-/// incident wave is undetermined (s and p at normal incidence, o and e along the axis) the totals are
-/// summed over both incident modes, which does not depend on the choice.
+/// Of all waves: k, E, ray, power and field at the face; and the totals. Where the polarisation of
+/// the incident wave is undetermined (s and p at normal incidence, o and e along the axis) the
+/// totals are summed over both incident modes, which does not depend on the choice.
 [[nodiscard]] Answer core_answer(const InterfaceCase& c);
 [[nodiscard]] Answer reference_answer(const InterfaceCase& c);
 
