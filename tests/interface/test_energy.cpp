@@ -48,7 +48,7 @@ TEST_CASE("every passage of a face has the same power backwards", "[interface][e
         const double excess = reciprocity_error(c) / 1e-13;
         if (!(excess <= worst)) worst = excess, where = std::string(name(stress)) + ": " + c.text();
     }
-    INFO(where);
+    INFO(in_digits(worst) << " at " << where);
     CHECK(worst <= 1);
 }
 
@@ -75,7 +75,7 @@ TEST_CASE("tangential E and H are continuous across a face", "[interface][energy
         if (!(jump / size <= worst))
             worst = jump / size, where = std::string(name(stress)) + ": " + c.text();
     }
-    INFO(where);
+    INFO(in_digits(worst) << " at " << where);
     CHECK(worst < 2e-13);
 }
 
