@@ -17,7 +17,7 @@ constexpr double coincidence = 1e-9;
 /// Thickness of a face of a hull, in units of the hull's size; points with six decimals have it.
 constexpr double flatness = 1e-6;
 /// A stone longer than this many of its inner radii is open, but for rounding.
-constexpr double longest = 1e9;
+constexpr double longest = 1e12;
 
 std::string label(const std::string& name, std::size_t index) {
     return name.empty() ? "facet " + std::to_string(index + 1) : name;
@@ -48,7 +48,7 @@ std::string written(const Vec3& v) {
     return text;
 }
 
-/// The few directions that differ, in the order given.
+/// A few of the directions that differ.
 std::string open_directions(const std::vector<Vec3>& open) {
     constexpr std::size_t most = 4;
     std::vector<std::string> names;
@@ -58,6 +58,7 @@ std::string open_directions(const std::vector<Vec3>& open) {
         const std::string name = written(normalised(direction / largest));
         if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
     }
+    std::sort(names.begin(), names.end());
     if (names.size() > most) {
         const std::size_t more = names.size() - (most - 1);
         names.resize(most - 1);
