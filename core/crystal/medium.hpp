@@ -13,8 +13,8 @@ struct Medium {
 
     /// Throws Error unless n is finite and positive.
     static Medium isotropic(double n);
-    /// Throws Error unless both indices are finite and positive and the axis is finite and not zero.
-    /// n_e = n_o is allowed and stays uniaxial: its modes are o and e.
+    /// Throws Error unless both indices are finite and positive and the axis is finite and not
+    /// zero. n_e = n_o is allowed and stays uniaxial: its modes are o and e.
     static Medium uniaxial(double n_o, double n_e, const Vec3& axis);
 };
 
