@@ -175,14 +175,14 @@ std::vector<InterfaceCase> moved(const InterfaceCase& c, double ulps) {
         for (double Vec3::*component : {&Vec3::x, &Vec3::y, &Vec3::z})
             move([&](InterfaceCase& d) -> double& { return member(d).*component; }, epsilon / 2);
     };
+    move_vector([](InterfaceCase& d) -> Vec3& { return d.normal; });
+    move_vector([](InterfaceCase& d) -> Vec3& { return d.direction; });
     for (Medium InterfaceCase::*side : {&InterfaceCase::from, &InterfaceCase::to}) {
         move([&](InterfaceCase& d) -> double& { return (d.*side).n_o; }, 0);
         if (!(c.*side).birefringent) continue;
         move([&](InterfaceCase& d) -> double& { return (d.*side).n_e; }, 0);
         move_vector([&](InterfaceCase& d) -> Vec3& { return (d.*side).axis; });
     }
-    move_vector([](InterfaceCase& d) -> Vec3& { return d.normal; });
-    move_vector([](InterfaceCase& d) -> Vec3& { return d.direction; });
     return cases;
 }
 
@@ -210,19 +210,18 @@ Accuracy accuracy(const InterfaceCase& c) {
         }
         return result.worst.excess <= 1;
     };
-    // Downward steps are tried only if upward ones do not explain the error.
-    for (const double ulps : {1.0, -1.0}) {
-        if (judge()) break;
-        result.conditioned = true;
+    if (judge()) return result;
+    result.conditioned = true;
+    // Steps are tried, upward ones first, until they explain the error.
+    for (const double ulps : {1.0, -1.0})
         for (const InterfaceCase& d : moved(c, ulps)) {
             const Answer changed = reference_answer(d);
             for (std::size_t i = 0; i < count; ++i)
                 conditioning[i] =
                     std::max(conditioning[i],
                              distance(truth[i].values, changed[i].values) / scale(truth[i]));
+            if (judge()) return result;
         }
-        judge();
-    }
     return result;
 }
 

@@ -25,12 +25,14 @@ using Answer = std::vector<Quantity>;
 
 struct Discrepancy {
     std::string quantity;
-    double error = 0;         ///< |core - reference| / max(1, |reference|)
-    double conditioning = 0;  ///< change of the reference for one ulp in the worst input, likewise
-    double excess = 0;        ///< error / (1e-12 + 50 conditioning); above 1 the core is at fault
+    double error = 0;  ///< |core - reference| / max(1, |reference|)
+    double conditioning =
+        0;              ///< change of the reference for one ulp in the worst input tried, likewise
+    double excess = 0;  ///< error / (1e-12 + 50 conditioning); above 1 the core is at fault
 };
 
-/// The quantity of largest excess. Conditioning is worked out only when some error is above 1e-12.
+/// The quantity of largest excess. Inputs are moved only when some error is above 1e-12, and only
+/// until that is explained.
 [[nodiscard]] Discrepancy compare(const InterfaceCase& c);
 
 /// compare, and the largest error of all quantities whatever their conditioning.
