@@ -195,7 +195,7 @@ bool Parser::item(Block& block, char closer) {
     }
     closing_ = false;
     word_item(block, token);
-    return !closing_;
+    return true;
 }
 
 void Parser::word_item(Block& block, const Token& token) {
@@ -273,16 +273,21 @@ void Parser::unknown_word(Block& block, const Token& token) {
     const bool wants_value = !block.items.empty() && block.items.back().kind == Item::Kind::word &&
                              !block.items.back().word.empty();
     const bool operates = std::string_view("*/+-.,)[?").find(after) != std::string_view::npos;
-    if (after == '(' || (after != '{' && (wants_value || operates)) ||
-        (legal && legal->empty() && after != '{')) {
+    const std::string& text = names_[token.index].text;
+    // The words of the language are written small: a capital letter makes it a name.
+    const bool capital =
+        std::any_of(text.begin(), text.end(), [](char c) { return c >= 'A' && c <= 'Z'; });
+    if (after == '(' ||
+        (after != '{' && (wants_value || operates || capital || (legal && legal->empty())))) {
         // In the place of a value it is a name.
         Value value = expression(Context::item);
         add(block, {Item::Kind::value, where, {}, std::move(value), {}});
         return;
     }
     std::string hint;
-    if (legal) hint = did_you_mean(names_[token.index].text, *legal);
-    if (hint.empty()) hint = hint_for_name(names_[token.index].text);
+    if (legal) hint = did_you_mean(text, *legal);
+    if (hint.empty() && after != '{') hint = hint_for_name(text, false);
+    if (hint.empty()) hint = did_you_mean(text, skipped_words());
     const bool top = block.word == "scene";
     diagnostics_.error(
         where, "unknown word " + quoted + (top ? "" : " in '" + std::string(block.word) + "'"),

@@ -25,6 +25,7 @@ bool Builder::modifier(Cursor& cursor, Look& look, Transform& place) {
     if (item.kind == Item::Kind::block) block = item.block.get();
     if (item.kind == Item::Kind::value && item.value.block()) block = item.value.block()->get();
     if (item.kind == Item::Kind::value && item.value.empty()) {
+        look.at_fault = true;
         cursor.take();
         return true;
     }
@@ -40,7 +41,7 @@ bool Builder::modifier(Cursor& cursor, Look& look, Transform& place) {
         return false;
     }
     cursor.take();
-    guarded([&] {
+    const bool read = guarded([&] {
         if (word == "pigment") look.pigment = pigment(*block);
         if (word == "finish") look.finish = finish(*block);
         if (word == "interior") look.interior = interior(*block);
@@ -49,8 +50,10 @@ bool Builder::modifier(Cursor& cursor, Look& look, Transform& place) {
             if (more.pigment) look.pigment = std::move(more.pigment);
             if (more.finish) look.finish = more.finish;
             if (more.interior) look.interior = std::move(more.interior);
+            look.at_fault = look.at_fault || more.at_fault;
         }
     });
+    look.at_fault = look.at_fault || !read || block->broken;
     return true;
 }
 
@@ -114,6 +117,7 @@ Parts Builder::group(const Block& block) {
         if (part.look.interior) part.look.interior->axis = place.vector(part.look.interior->axis);
         if (!part.look.pigment) part.look.pigment = look.pigment;
         if (!part.look.finish) part.look.finish = look.finish;
+        part.look.at_fault = part.look.at_fault || look.at_fault;
         if (!part.look.interior && look.interior) {
             part.look.interior = look.interior;
             part.look.interior->axis = place.vector(look.interior->axis);

@@ -58,6 +58,7 @@ Scene Builder::build(const Block& block) {
                 throw Fault{item.place, "'[' means nothing here", {}};
             }
             const std::string_view word = inner->word;
+            if (inner->broken) return;
             if (word == "global_settings" || word == "pigment" || word == "finish") {
                 return;
             } else if (word == "camera") {
@@ -112,6 +113,7 @@ void Builder::global_settings(const Block& block) {
 
 void Builder::finish_part(const Part& part) {
     step(part.where);
+    if (part.look.at_fault) return;
     if (part.kind == Part::Kind::lamp) {
         Light light = part.light;
         light.position = mirrored(part.place.point(light.position));

@@ -185,15 +185,11 @@ void Builder::cut(const Block& block, Solid& solid) {
             offset = cursor.number("an offset in teeth");
         } else if (item.word == "facet" && item.kind == Item::Kind::block) {
             ++facets;
+            const std::size_t before = solid.planes.size();
             guarded([&] {
-                if (item.block->broken) {
-                    solid.at_fault = true;
-                    return;
-                }
-                const std::size_t before = solid.planes.size();
-                facet(*item.block, gear, offset, solid);
-                if (solid.planes.size() == before) solid.at_fault = true;
+                if (!item.block->broken) facet(*item.block, gear, offset, solid);
             });
+            if (solid.planes.size() == before) solid.at_fault = true;
             bounded(solid.planes.size(), block.place);
         } else if (item.word.empty() && item.kind == Item::Kind::word) {
             cursor.skip_values();

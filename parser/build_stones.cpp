@@ -30,7 +30,7 @@ Part Builder::gem(const Block& block) {
         if (!first_time) return;
         try {
             read();
-        } catch (const Fault&) {
+        } catch (...) {
             part.solid->at_fault = true;
             throw;
         }

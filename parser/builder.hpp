@@ -36,6 +36,7 @@ struct Look {
     std::optional<PigmentLook> pigment;
     std::optional<Finish> finish;
     std::optional<InteriorLook> interior;
+    bool at_fault = false;  ///< something of it could not be read: what wears it is left out
 };
 
 /// The shape of a stone: half-spaces, or points whose hull it is.
@@ -70,14 +71,18 @@ public:
     Scene build(const Block& scene);
 
 private:
-    /// Runs f on the block; a Fault in it is reported and ends it.
+    /// Runs f; a Fault in it is reported and ends it. False when there was one.
     template <class F>
-    void guarded(F&& f) {
+    bool guarded(F&& f) {
         try {
             f();
+            return true;
         } catch (const Fault& fault) {
             diagnostics_.error(fault);
+        } catch (const Poisoned& poisoned) {
+            if (diagnostics_.errors() == 0) diagnostics_.error(poisoned.place, "this has no value");
         }
+        return false;
     }
     void step(const Place& place);
 
@@ -141,7 +146,7 @@ private:
 /// POV-Ray's camera after look_at, angle and transforms, in core coordinates.
 [[nodiscard]] Camera build_camera(const Block& block);
 /// (x, y, z) to (x, y, -z), from the language to the core and back.
-[[nodiscard]] inline Vec3 mirrored(const Vec3& v) { return {v.x, v.y, -v.z}; }
+[[nodiscard]] inline Vec3 mirrored(const Vec3& v) { return {v.x, v.y, 0.0 - v.z}; }
 [[nodiscard]] const Transform& mirror();
 
 }  // namespace icespar

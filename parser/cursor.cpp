@@ -35,12 +35,13 @@ const Value& Cursor::value(std::string_view what) {
         const std::string owner(after_word ? block_.items[at_ - 1].word : block_.word);
         throw Fault{place(), "'" + owner + "' needs " + std::string(what), {}};
     }
-    return take().value;
+    const Value& value = take().value;
+    if (value.empty()) throw Poisoned{place()};
+    return value;
 }
 
 double Cursor::number(std::string_view what) {
     const Value& v = value(what);
-    if (v.empty()) return 1;
     const Numbers* n = v.numbers();
     if (!n || n->size != 1) {
         throw Fault{place(), "expected " + std::string(what) + ", found " + kind_of(v), {}};
@@ -61,7 +62,6 @@ double Cursor::number(std::string_view what, double least, double most) {
 
 Vec3 Cursor::vector(std::string_view what) {
     const Value& v = value(what);
-    if (v.empty()) return {1, 1, 1};
     const Numbers* n = v.numbers();
     if (!n || n->colour || n->size > 3) {
         throw Fault{
@@ -78,7 +78,6 @@ Vec3 Cursor::vector(std::string_view what) {
 
 std::array<double, 5> Cursor::colour(std::string_view what) {
     const Value& v = value(what);
-    if (v.empty()) return {1, 1, 1, 0, 0};
     const Numbers* n = v.numbers();
     if (!n || (!n->colour && n->size != 1 && n->size != 3)) {
         throw Fault{place(), "expected " + std::string(what) + ", found " + kind_of(v),
@@ -91,7 +90,6 @@ std::array<double, 5> Cursor::colour(std::string_view what) {
 
 std::string Cursor::text(std::string_view what) {
     const Value& v = value(what);
-    if (v.empty()) return {};
     if (!v.text()) {
         throw Fault{
             place(), "expected " + std::string(what) + " in quotes, found " + kind_of(v), {}};

@@ -12,6 +12,12 @@
 
 namespace icespar {
 
+/// Thrown where a value is missing because a fault in it was reported before: what needs it is left
+/// out.
+struct Poisoned {
+    Place place;
+};
+
 /// Values are read with a word for what they are ("a radius"), which the message shows.
 class Cursor {
 public:

@@ -78,7 +78,8 @@ void Parser::declare(bool local) {
     if (raw().kind == '[') {
         const SlotPtr slot = find_shared(token.index);
         if (!slot || !slot->value) {
-            throw Fault{where, "'" + name.text + "' is not declared", hint_for_name(name.text)};
+            throw Fault{where, "'" + name.text + "' is not declared",
+                        hint_for_name(name.text, false)};
         }
         assign_element(slot, where);
     } else {
@@ -88,9 +89,7 @@ void Parser::declare(bool local) {
         }
         ++frame().at;
         const auto slot_for_name = [&] {
-            if (local) return local_slot(token.index);
-            const SlotPtr known = find_shared(token.index);
-            return known ? known : global_slot(token.index);
+            return local ? local_slot(token.index) : declare_slot(token.index);
         };
         Value value;
         try {

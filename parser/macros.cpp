@@ -48,8 +48,7 @@ void Parser::define_macro(const Token& directive) {
     macro->begin = frame().at;
     skip_to({"end"}, directive);
     macro->end = frame().at - 1;
-    const SlotPtr known = find_shared(name);
-    *(known ? known : global_slot(name)) = Slot{std::nullopt, macro};
+    *declare_slot(name) = Slot{std::nullopt, macro};
 }
 
 void Parser::call_macro(std::shared_ptr<const Macro> macro) {

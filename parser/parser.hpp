@@ -43,11 +43,11 @@ private:
 
     Slot* find(std::uint32_t name);
     SlotPtr find_shared(std::uint32_t name);
+    SlotPtr declare_slot(std::uint32_t name);
     SlotPtr local_slot(std::uint32_t name);
     SlotPtr global_slot(std::uint32_t name);
     [[nodiscard]] std::vector<std::string_view> declared_names() const;
-    [[nodiscard]] std::string hint_for_name(std::string_view word,
-                                            std::span<const std::string_view> more = {}) const;
+    [[nodiscard]] std::string hint_for_name(std::string_view word, bool called) const;
 
     // --- the stream of tokens (stream.cpp) ---
     struct Condition {

@@ -14,6 +14,17 @@ Parser::SlotPtr Parser::find_shared(std::uint32_t name) {
     return nullptr;
 }
 
+/// Where `#declare` puts a value: what the name stands for already, be it an empty name handed to a
+/// macro.
+Parser::SlotPtr Parser::declare_slot(std::uint32_t name) {
+    for (auto f = frames_.rbegin(); f != frames_.rend(); ++f) {
+        for (const auto& [local, slot] : f->locals) {
+            if (local == name) return slot;
+        }
+    }
+    return global_slot(name);
+}
+
 Parser::Slot* Parser::find(std::uint32_t name) {
     if (!names_[name].info.may_be_declared) return nullptr;
     return find_shared(name).get();
@@ -48,11 +59,9 @@ std::vector<std::string_view> Parser::declared_names() const {
     return names;
 }
 
-std::string Parser::hint_for_name(std::string_view word,
-                                  std::span<const std::string_view> more) const {
-    std::vector<std::string_view> candidates(more.begin(), more.end());
-    for (const auto name : declared_names()) candidates.push_back(name);
-    for (const auto name : value_words()) candidates.push_back(name);
+std::string Parser::hint_for_name(std::string_view word, bool called) const {
+    std::vector<std::string_view> candidates = declared_names();
+    if (called) candidates.insert(candidates.end(), value_words().begin(), value_words().end());
     return did_you_mean(word, candidates);
 }
 

@@ -27,6 +27,7 @@ Words split(std::string_view text) {
 struct Vocabulary {
     std::unordered_map<std::string_view, WordInfo> info;
     std::unordered_map<std::string_view, Words> blocks;
+    Words skipped;
     Words values = split(word_lists::values), directives = split(word_lists::directives);
 
     Vocabulary() {
@@ -47,6 +48,7 @@ struct Vocabulary {
         for (const auto& row : word_lists::skipped) {
             for (const auto word : split(row.words)) {
                 info.try_emplace(word, WordInfo{WordKind::skipped, row.advice});
+                skipped.push_back(word);
             }
         }
         for (const auto& row : word_lists::refused) {
@@ -92,5 +94,7 @@ bool is_scene_block(std::string_view word) {
 
 std::span<const std::string_view> value_words() { return vocabulary().values; }
 std::span<const std::string_view> directive_words() { return vocabulary().directives; }
+
+std::span<const std::string_view> skipped_words() { return vocabulary().skipped; }
 
 }  // namespace icespar

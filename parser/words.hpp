@@ -37,5 +37,7 @@ struct WordInfo {
 /// Words that may start an expression.
 [[nodiscard]] std::span<const std::string_view> value_words();
 [[nodiscard]] std::span<const std::string_view> directive_words();
+/// Words of POV-Ray's that are left out wherever they stand.
+[[nodiscard]] std::span<const std::string_view> skipped_words();
 
 }  // namespace icespar
