@@ -24,6 +24,7 @@ BlockPtr Parser::parse(std::uint32_t file) {
     Block scene;
     scene.word = "scene";
     const auto scene_words = *words_in("scene");
+    std::size_t recovered_at = 0;
     for (;;) {
         try {
             items(scene, tok::end);
@@ -35,7 +36,8 @@ BlockPtr Parser::parse(std::uint32_t file) {
         // On to where a block of the scene seems to begin.
         diagnostics_.set_quiet(true);
         const int depth = braces_;
-        for (bool first = true;; first = false) {
+        bool first = tokens_ == recovered_at;
+        for (;; first = false) {
             try {
                 const Token& token = peek();
                 if (token.kind == tok::end) break;
@@ -50,6 +52,7 @@ BlockPtr Parser::parse(std::uint32_t file) {
         }
         diagnostics_.set_quiet(false);
         braces_ = 0;
+        recovered_at = tokens_;
     }
     while (!frame().conditions.empty()) {
         const Token token = frame().conditions.back().token;

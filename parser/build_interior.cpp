@@ -29,7 +29,8 @@ IndexFunction from_bg(double n, double bg) {
 InteriorLook Builder::interior(const Block& block) {
     InteriorLook look;
     look.where = block.place;
-    bool at_fault = block.broken;
+    if (block.broken) throw Poisoned{block.place};
+    bool at_fault = false;
     for (Cursor cursor(block); cursor.more();) {
         const Item& item = cursor.take();
         if (item.word == "ior") {
@@ -89,7 +90,8 @@ void Builder::crystal(const Block& block, InteriorLook& look) {
     std::vector<IndexFunction> formulas;
     std::optional<double> bg;
     std::optional<Place> axis_place;
-    bool at_fault = block.broken;
+    if (block.broken) throw Poisoned{block.place};
+    bool at_fault = false;
     for (Cursor cursor(block); cursor.more();) {
         const Item& item = cursor.take();
         if (item.word == "mineral") {

@@ -41,7 +41,7 @@ bool Builder::modifier(Cursor& cursor, Look& look, Transform& place) {
         return false;
     }
     cursor.take();
-    const bool read = guarded([&] {
+    const bool read = !block->broken && guarded([&] {
         if (word == "pigment") look.pigment = pigment(*block);
         if (word == "finish") look.finish = finish(*block);
         if (word == "interior") look.interior = interior(*block);
@@ -53,7 +53,7 @@ bool Builder::modifier(Cursor& cursor, Look& look, Transform& place) {
             look.at_fault = look.at_fault || more.at_fault;
         }
     });
-    look.at_fault = look.at_fault || !read || block->broken;
+    look.at_fault = look.at_fault || !read;
     return true;
 }
 

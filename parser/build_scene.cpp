@@ -176,6 +176,7 @@ void Builder::finish_thing(const Part& part) {
         thing.pigment.line_width = look->line_width;
         thing.pigment.to_pattern = look->place.then(mirror()).inverse();
     } else {
+        if (diagnostics_.errors() > 0) return;
         diagnostics_.warning(part.where, "a thing without pigment is black, as in POV-Ray",
                              "add pigment { rgb 1 }");
         thing.pigment.first = Spectrum(0.0);

@@ -142,16 +142,19 @@ Diagnostic Diagnostics::at(const Place& place, std::string message, std::string 
     int shown = 0;
     for (std::uint32_t r = place.route; r != 0; r = sources_.route(r).call.route) {
         const RouteStep& step = sources_.route(r);
+        const LineColumn call = sources_.line_column(step.call.file, step.call.begin);
+        std::string note = (step.kind == RouteStep::Kind::macro
+                                ? "in macro '" + std::string(step.name) + "' called at "
+                                : std::string("included from ")) +
+                           sources_.file(step.call.file).name + ":" + std::to_string(call.line) +
+                           ":" + std::to_string(call.column);
+        // What calls itself is said once.
+        if (!d.notes.empty() && d.notes.back() == note) continue;
         if (++shown > 8) {
             d.notes.emplace_back("... and so on up to the scene");
             break;
         }
-        const LineColumn call = sources_.line_column(step.call.file, step.call.begin);
-        d.notes.push_back((step.kind == RouteStep::Kind::macro
-                               ? "in macro '" + std::string(step.name) + "' called at "
-                               : std::string("included from ")) +
-                          sources_.file(step.call.file).name + ":" + std::to_string(call.line) +
-                          ":" + std::to_string(call.column));
+        d.notes.push_back(std::move(note));
     }
     return d;
 }

@@ -235,7 +235,10 @@ Value Parser::postfix(Value value, const Place& start) {
                             {}};
             }
             value = Value(n->size == 1 ? n->c[0] : n->c[index]);
-        } else if (kind == '[' && (value.array() || value.empty())) {
+        } else if (kind == '[') {
+            if (!value.array() && !value.empty()) {
+                throw Fault{joined(start, last_place_), kind_of(value) + " has no elements", {}};
+            }
             next();
             const Argument none(*this, 0);
             const Place at = here();
