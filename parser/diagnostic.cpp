@@ -52,13 +52,13 @@ std::size_t byte_of(std::string_view text, std::size_t n) {
 
 }  // namespace
 
-std::string printable(std::string_view text) {
+std::string printable(std::string_view text, std::size_t most) {
     std::string out;
-    for (const char c : text.substr(0, 60)) {
+    for (const char c : text.substr(0, most)) {
         const auto byte = static_cast<unsigned char>(c);
         out += byte < 0x20 || byte == 0x7f ? '?' : c;
     }
-    if (text.size() > 60) out += "...";
+    if (text.size() > most) out += "...";
     return out;
 }
 

@@ -64,6 +64,6 @@ private:
 /// "a, b or c"
 [[nodiscard]] std::string listed(std::span<const std::string_view> words);
 /// A piece of the user's text, made fit to print within quotes.
-[[nodiscard]] std::string printable(std::string_view text);
+[[nodiscard]] std::string printable(std::string_view text, std::size_t most = 60);
 
 }  // namespace icespar
