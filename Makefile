@@ -59,7 +59,8 @@ build: deps $(VENV)/.installed
 
 demo: build
 	@mkdir -p out
-	build/icespar render scenes/calcite_on_grid.spar --size 640x480 -o out/calcite_on_grid.exr -o out/calcite_on_grid.png
+	build/icespar render scenes/calcite_on_grid.spar --size 640x480 --error 0.01 --time 45 \
+	  -o out/calcite_on_grid.exr -o out/calcite_on_grid.png
 	@echo "The picture is in $(CURDIR)/out/calcite_on_grid.png (to look at) and calcite_on_grid.exr (to measure)."
 
 test: build $(VENV)/.installed-test
