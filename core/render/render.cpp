@@ -182,6 +182,7 @@ Rendering render(const Scene& scene, const RenderOptions& options,
                     if (!film.add(x, y, w.sampler.sample)) ++w.bad;
                     dropped[static_cast<std::size_t>(index)] += w.sampler.dropped;
                 }
+                film.end_pass(x, y);
             }
         }
     };
