@@ -161,7 +161,9 @@ Rendering render(const Scene& scene, const RenderOptions& options,
 
     const int across = (options.width + tile - 1) / tile, down = (options.height + tile - 1) / tile;
     const int tiles = across * down;
+    // Per tile, so that sums do not depend on the threads.
     std::vector<double> dropped(static_cast<std::size_t>(tiles), 0.0);
+    std::vector<std::uint64_t> paths(static_cast<std::size_t>(tiles), 0);
 
     const auto render_tile = [&](int index, int first_sample, int count) {
         Worker& w = workers.local();
@@ -181,6 +183,7 @@ Rendering render(const Scene& scene, const RenderOptions& options,
                                   w.sampler.wavelength_nm(), w.sampler);
                     if (!film.add(x, y, w.sampler.sample)) ++w.bad;
                     dropped[static_cast<std::size_t>(index)] += w.sampler.dropped;
+                    ++paths[static_cast<std::size_t>(index)];
                 }
                 film.end_pass(x, y);
             }
@@ -191,10 +194,12 @@ Rendering render(const Scene& scene, const RenderOptions& options,
     Progress state;
     // Tiles go out in batches so that the caller hears from us a few times a second.
     int batch = 4 * arena.max_concurrency();
-    while (!report.interrupted) {
+    bool enough = false;
+    while (!report.interrupted && !enough) {
         int count = samples_per_pass;
         if (options.samples > 0) count = std::min(count, options.samples - report.samples);
-        for (int begin = 0, end = 0; begin < tiles && !report.interrupted; begin = end) {
+        int end = 0;
+        for (int begin = 0; begin < tiles && !report.interrupted; begin = end) {
             end = std::min(begin + batch, tiles);
             const double before = seconds();
             arena.execute([&] {
@@ -218,19 +223,16 @@ Rendering render(const Scene& scene, const RenderOptions& options,
                 break;
             if (took < 0.1) batch = std::min(2 * batch, tiles);
         }
-        report.samples += count;
+        if (end == tiles) report.samples += count;
         report.error = state.error = film.error();
         state.samples = report.samples;
-        const bool enough =
-            (options.samples > 0 && report.samples >= options.samples) ||
-            (options.seconds > 0 && seconds() >= options.seconds) ||
-            (target > 0 && report.error <= target && report.samples >= 2 * samples_per_pass);
-        if (enough) break;
+        enough = (options.samples > 0 && report.samples >= options.samples) ||
+                 (options.seconds > 0 && seconds() >= options.seconds) ||
+                 (target > 0 && report.error <= target && report.samples >= 2 * samples_per_pass);
     }
 
-    const double pixels = static_cast<double>(options.width) * options.height;
     for (const double d : dropped) report.dropped += d;
-    report.paths = static_cast<std::uint64_t>(pixels * report.samples);
+    for (const std::uint64_t n : paths) report.paths += n;
     report.dropped /= static_cast<double>(report.paths);
     for (const Worker& w : workers) {
         report.events += w.walker.events();

@@ -130,7 +130,7 @@ World::World(const Scene& scene, bool use_tree) : scene_(scene) {
         bounds.push_back({centre - reach, centre + reach});
     }
     if (use_tree && !bounds.empty()) {
-        double far = length(scene.camera.location);
+        double far = 0;
         for (const Bounds& b : bounds) far = std::max({far, length(b.low), length(b.high)});
         const Vec3 slack = float_slack * far * Vec3{1, 1, 1};
         for (Bounds& b : bounds) b = {b.low - slack, b.high + slack};
