@@ -120,6 +120,30 @@ inline std::string text(const Stokes& s) {
     return in_digits(s.s0) + " " + in_digits(s.s1) + " " + in_digits(s.s2) + " " + in_digits(s.s3);
 }
 
+/// A camera at (0, 0, 6) that looks down -z on a square of this width about the origin.
+inline Camera towards_origin(double width) {
+    Camera camera;
+    camera.location = {0, 0, 6};
+    camera.direction = {0, 0, -6};
+    camera.right = {width, 0, 0};
+    camera.up = {0, width, 0};
+    return camera;
+}
+
+inline Scene picture_scene(Crystal crystal, Environment environment) {
+    Scene scene = scene_of(brilliant_stone(), std::move(crystal), std::move(environment));
+    scene.camera = towards_origin(1.5);
+    return scene;
+}
+
+inline RenderOptions small(int size, int samples) {
+    RenderOptions options;
+    options.width = options.height = size;
+    options.samples = samples;
+    options.threads = 1;
+    return options;
+}
+
 /// Mean of one channel of a picture.
 inline double mean_of(const std::vector<float>& values, std::size_t offset, std::size_t stride) {
     double sum = 0;
