@@ -89,6 +89,39 @@ TEST_CASE("at Brewster's angle reflected light is wholly polarised across the pl
     }
 }
 
+TEST_CASE("a glass face mirrors any polarisation as Fresnel's coefficients say",
+          "[render][stokes][convention]") {
+    testing::Random random(23);
+    const double n = 1.5;
+    Scene scene = scene_of(cube_stone(), glass(n));
+    for (int i = 0; i < 60; ++i) {
+        // The eye looks down at the face z = 1; the light comes from where the mirror shows.
+        const double c = random.uniform(0.1, 0.95), turn = random.uniform(0, 7);
+        const double s = std::sqrt(1 - c * c), c_t = std::sqrt(1 - s * s / (n * n));
+        const Vec3 look{s * std::cos(turn), s * std::sin(turn), -c};
+        const Vec3 mirror{look.x, look.y, -look.z};
+        const Vec3 across = normalised(cross(Vec3{0, 0, 1}, look));
+        const Complex ex{random.uniform(-1, 1), random.uniform(-1, 1)};
+        const Complex ey{random.uniform(-1, 1), random.uniform(-1, 1)};
+        const double size = std::sqrt(std::norm(ex) + std::norm(ey));
+        scene.environment = furnace();
+        scene.environment.state = stokes_from_field(ex / size, ey / size);
+
+        // Light travels along -mirror and then along -look; p = k x s on both ways.
+        const Vec3 y = normalised(Vec3{0, 1, 0} - mirror.y * mirror), x = cross(mirror, y);
+        const CVec3 in = (ex / size) * x + (ey / size) * y;
+        const double r_s = (c - n * c_t) / (c + n * c_t), r_p = (n * c - c_t) / (n * c + c_t);
+        const CVec3 out = (r_s * dot(in, across)) * across +
+                          (r_p * dot(in, cross(-mirror, across))) * cross(-look, across);
+        const Vec3 right = random.perpendicular_to(look), up = cross(-look, right);
+        const Stokes expected = stokes_from_field(dot(out, right), dot(out, up));
+        const Vec3 origin = Vec3{0.1, 0.2, 1} - 5.0 * look;
+        const Stokes seen = trace_one(scene, {origin, look, right}, hits(1));
+        INFO(text(seen) << " expected " << text(expected));
+        CHECK(difference(seen, expected) <= 1e-14);
+    }
+}
+
 TEST_CASE("a Fresnel rhomb turns light at 45 degrees into circular light of the right hand or left",
           "[render][stokes][convention]") {
     // The angle near 54.6 degrees at which the two reflections delay p against s by 90 degrees.
