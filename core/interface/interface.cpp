@@ -180,8 +180,7 @@ Wave Interface::built(const Side& side, const Medium& medium, std::size_t i) con
         const double size = length(flow);
         w.ray = size > 0 ? flow / size : x_;
     } else if (w.mode == Mode::extraordinary) {
-        const double eps_o = medium.n_o * medium.n_o, eps_e = medium.n_e * medium.n_e;
-        w.ray = normalised(eps_o * k + ((eps_e - eps_o) * dot(k, medium.axis)) * medium.axis);
+        w.ray = extraordinary_ray(medium, k);
     } else {
         w.ray = k / w.n_phase;
     }

@@ -18,7 +18,7 @@ namespace icespar {
 namespace {
 
 /// A branch that carries less of the pixel's light than this plays roulette (docs/method.md).
-constexpr double roulette_weight = 0.02;
+constexpr double roulette_weight = 0.1;
 /// Light that is all but caught in a stone ends by chance, too.
 constexpr int patient_hits = 256;
 constexpr double patience = 0.9;
