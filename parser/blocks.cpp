@@ -47,6 +47,7 @@ BlockPtr Parser::parse(std::uint32_t file) {
                 }
                 next();
             } catch (const Fault&) {
+                diagnostics_.pass_over();
                 if (frame().at < frame().end) ++frame().at;
             }
         }
@@ -96,6 +97,7 @@ void Parser::recover(int depth) {
             if (peek_is(tok::end)) break;
             if (next().kind == '}' && braces_ < depth) break;
         } catch (const Fault&) {
+            diagnostics_.pass_over();
             if (frame().at < frame().end) ++frame().at;
         }
     }

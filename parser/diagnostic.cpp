@@ -166,8 +166,12 @@ bool Diagnostics::is_new(const Place& place, const std::string& message) {
         .second;
 }
 
+void Diagnostics::pass_over() {
+    if (++passed_over_ > limits::errors_passed_over && errors_ > 0) throw Stop{};
+}
+
 void Diagnostics::error(const Place& place, std::string message, std::string hint) {
-    if (quiet_ || !is_new(place, message)) return;
+    if (quiet_ || !is_new(place, message)) return pass_over();
     list_.push_back(at(place, std::move(message), std::move(hint)));
     if (++errors_ >= limits::errors) throw Stop{};
 }

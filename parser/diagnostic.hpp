@@ -41,6 +41,10 @@ public:
     /// block.
     void set_quiet(bool quiet) { quiet_ = quiet; }
 
+    /// A fault that is not told, because it was told before or the parser is looking for an end.
+    /// Throws Stop after very many: a loop may hold one that costs time in every turn.
+    void pass_over();
+
     [[nodiscard]] int errors() const { return errors_; }
     [[nodiscard]] std::vector<Diagnostic> take() { return std::move(list_); }
 
@@ -51,7 +55,7 @@ private:
     const Sources& sources_;
     std::vector<Diagnostic> list_;
     std::set<std::string> said_;
-    int errors_ = 0, warnings_ = 0;
+    int errors_ = 0, warnings_ = 0, passed_over_ = 0;
     bool quiet_ = false;
 };
 

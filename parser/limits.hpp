@@ -7,6 +7,7 @@
 namespace icespar::limits {
 
 inline constexpr int errors = 20;
+inline constexpr int errors_passed_over = 10'000;  ///< repeated in loops, or within broken blocks
 inline constexpr int warnings = 200;
 inline constexpr int include_depth = 32;
 inline constexpr int macro_depth = 200;
