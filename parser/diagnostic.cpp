@@ -82,10 +82,10 @@ std::string did_you_mean(std::string_view word, std::span<const std::string_view
     return found.empty() ? std::string() : "did you mean '" + std::string(found) + "'?";
 }
 
-std::string listed(std::span<const std::string_view> words) {
+std::string listed(std::span<const std::string_view> words, std::string_view last) {
     std::string out;
     for (std::size_t i = 0; i < words.size(); ++i) {
-        if (i > 0) out += i + 1 == words.size() ? " or " : ", ";
+        if (i > 0) out += i + 1 == words.size() ? last : ", ";
         out += words[i];
     }
     return out;

@@ -65,8 +65,8 @@ private:
 /// "did you mean 'reflection'?", or nothing.
 [[nodiscard]] std::string did_you_mean(std::string_view word,
                                        std::span<const std::string_view> candidates);
-/// "a, b or c"
-[[nodiscard]] std::string listed(std::span<const std::string_view> words);
+/// "a, b and c"
+[[nodiscard]] std::string listed(std::span<const std::string_view> words, std::string_view last);
 /// A piece of the user's text, made fit to print within quotes.
 [[nodiscard]] std::string printable(std::string_view text, std::size_t most = 60);
 

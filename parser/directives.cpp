@@ -182,7 +182,7 @@ void Parser::include() {
                         "move it beside the scene, or allow its folder with --allow"};
         }
         std::string hint = did_you_mean(name, library_names());
-        if (hint.empty()) hint = "the library has " + listed(library_names());
+        if (hint.empty()) hint = "the library has " + listed(library_names(), " and ");
         throw Fault{where, "there is no file '" + printable(name) + "'", hint};
     }
     const std::string key = found.path ? found.path->string() : "library:" + name;
