@@ -76,6 +76,7 @@ public:
         }
     }
     [[nodiscard]] int diffuse_rays(const Branch&) const { return 1; }
+    std::pair<double, double> light_point() { return diffuse_point(0); }
     std::pair<double, double> diffuse_point(int) {
         const double u = random_.uniform();
         return {u, random_.uniform()};

@@ -20,6 +20,7 @@ namespace icespar {
 ///   lose(stokes)                    the response of a branch given up without roulette
 ///   see(emitter, stokes, at_one)    light that arrives; at_one: only at the traced wavelength
 ///   see_at_wavelength(L, stokes)    spectral radiance L at the traced wavelength
+///   light_point()                   where on the unit square an area light is asked
 ///   diffuse_rays(branch)            how many rays a diffuse surface sends on
 ///   diffuse_point(ray)              where in the unit square ray number `ray` is drawn
 template <class Guide>
@@ -211,7 +212,7 @@ private:
         if (albedo == 0) return;
         const Departure here{-1, hit.thing};
         for (const Light& light : scene.lights) {
-            const auto [u, v] = guide.diffuse_point(0);
+            const auto [u, v] = guide.light_point();
             const Vec3 to_light =
                 light.position + (u - 0.5) * light.edge_u + (v - 0.5) * light.edge_v - point;
             const double distance = length(to_light);
