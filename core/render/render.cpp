@@ -19,6 +19,8 @@ namespace {
 
 /// A branch that carries less of the pixel's light than this plays roulette (docs/method.md).
 constexpr double roulette_weight = 0.1;
+/// Outside a stone it costs one look at the surroundings, so it is followed for less.
+constexpr double outside_weight = 0.01;
 /// Light that is all but caught in a stone ends by chance, too.
 constexpr int patient_hits = 256;
 constexpr double patience = 0.9;
@@ -44,7 +46,7 @@ public:
     [[nodiscard]] double wavelength_nm() const { return draw_.wavelength_nm; }
 
     bool admit(Branch& b) {
-        double survival = std::min(1.0, b.weight / roulette_weight);
+        double survival = std::min(1.0, b.weight / (b.gem < 0 ? outside_weight : roulette_weight));
         if (b.hits > patient_hits) survival = std::min(survival, patience);
         if (survival >= 1) return true;
         if (!(random_.uniform() < survival)) return false;
