@@ -43,7 +43,7 @@ bool Builder::modifier(Cursor& cursor, Look& look, Transform& place) {
     cursor.take();
     const bool read = !block->broken && guarded([&] {
         if (word == "pigment") look.pigment = pigment(*block);
-        if (word == "finish") look.finish = finish(*block);
+        if (word == "finish") look.finish = finish(*block, look.finish);
         if (word == "interior") look.interior = interior(*block);
         if (word == "texture" || word == "material") {
             Look more = texture(*block);
@@ -115,8 +115,11 @@ Parts Builder::group(const Block& block) {
         part.place = part.place.then(place);
         apply(place, part.look);
         if (part.look.interior) part.look.interior->axis = place.vector(part.look.interior->axis);
-        if (!part.look.pigment) part.look.pigment = look.pigment;
-        if (!part.look.finish) part.look.finish = look.finish;
+        // As in POV-Ray, a part with a pigment or finish of its own takes neither from the group.
+        if (!part.look.pigment && !part.look.finish) {
+            part.look.pigment = look.pigment;
+            part.look.finish = look.finish;
+        }
         part.look.at_fault = part.look.at_fault || look.at_fault;
         if (!part.look.interior && look.interior) {
             part.look.interior = look.interior;

@@ -36,7 +36,7 @@ Scene Builder::build(const Block& block) {
         if (item.kind != Item::Kind::block) continue;
         if (item.word == "global_settings") guarded([&] { global_settings(*item.block); });
         if (item.word == "pigment") guarded([&] { defaults_.pigment = pigment(*item.block); });
-        if (item.word == "finish") guarded([&] { defaults_.finish = finish(*item.block); });
+        if (item.word == "finish") guarded([&] { defaults_.finish = finish(*item.block, {}); });
     }
     scene_.camera = build_camera(Block{"camera", block.place, {}});
     for (const Item& item : block.items) {

@@ -68,8 +68,8 @@ PigmentLook Builder::pigment(const Block& block) {
     return look;
 }
 
-Finish Builder::finish(const Block& block) {
-    Finish finish = defaults_.finish.value_or(Finish{});
+Finish Builder::finish(const Block& block, const std::optional<Finish>& before) {
+    Finish finish = before ? *before : defaults_.finish.value_or(Finish{});
     for (Cursor cursor(block); cursor.more();) {
         const Item& item = cursor.take();
         if (item.word == "diffuse") {
@@ -96,7 +96,7 @@ Finish Builder::finish(const Block& block) {
             if (!declared || (*declared)->word != "finish") {
                 throw Fault{item.place, "unexpected " + kind_of(item.value) + " in 'finish'", {}};
             }
-            finish = this->finish(**declared);
+            finish = this->finish(**declared, finish);
         } else if (item.word.empty()) {
             cursor.skip_values();
         }

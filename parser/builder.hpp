@@ -110,7 +110,8 @@ private:
 
     Look texture(const Block& block);
     PigmentLook pigment(const Block& block);
-    Finish finish(const Block& block);
+    /// A finish amends the one already there, or the default.
+    Finish finish(const Block& block, const std::optional<Finish>& before);
     InteriorLook interior(const Block& block);
     void crystal(const Block& block, InteriorLook& look);
     void dispersion(const Block& block, std::vector<IndexFunction>& formulas,

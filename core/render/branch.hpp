@@ -29,7 +29,8 @@ struct Branch {
     Stokes response;
     bool diffused = false;
     bool one_wavelength = false;  ///< the path depends on the wavelength it is traced at
-    int hits = 0;
+    int hits = 0;                 ///< interface events so far
+    int bounces = 0;              ///< diffuse surfaces so far
     double weight = 1;  ///< power that reaches the sensor's S0 from unit unpolarised radiance
 
     [[nodiscard]] double power() const {

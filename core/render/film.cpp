@@ -7,6 +7,9 @@
 namespace icespar {
 namespace {
 
+/// Beyond this a picture in floats would hold infinities.
+constexpr double brightest = 1e30;
+
 double luminance(const double* rgb, int stride) {
     return xyz_from_rgb({rgb[0], rgb[stride], rgb[2 * stride]})[1];
 }
@@ -48,7 +51,7 @@ Film::Film(int width, int height, int bands, bool stokes)
 
 bool Film::add(int x, int y, const std::vector<double>& sample) {
     for (const double v : sample) {
-        if (!std::isfinite(v)) return false;
+        if (!(std::abs(v) < brightest)) return false;
     }
     const std::size_t p = pixel(x, y);
     double* sums = &sums_[p * sample.size()];

@@ -39,7 +39,7 @@ public:
     [[nodiscard]] int height() const { return height_; }
 
     /// Adds one sample: channels() x components() values. Returns false, and adds nothing, when one
-    /// of them is not finite.
+    /// of them is not finite or beyond 1e30.
     bool add(int x, int y, const std::vector<double>& sample);
 
     /// Ends a pixel's pass: a run of samples that cover pixel and spectrum evenly together.

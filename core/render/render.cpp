@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <sstream>
 
 #include "math/error.hpp"
 #include "render/film.hpp"
@@ -21,8 +22,8 @@ namespace {
 constexpr double roulette_weight = 0.1;
 /// Outside a stone it costs one look at the surroundings, so it is followed for less.
 constexpr double outside_weight = 0.01;
-/// Light that is all but caught in a stone ends by chance, too.
-constexpr int patient_hits = 256;
+/// Light that is all but caught in a stone, or in a white room, ends by chance, too.
+constexpr int patient_hits = 256, patient_bounces = 8;
 constexpr double patience = 0.9;
 
 constexpr int tile = 16;
@@ -48,7 +49,8 @@ public:
 
     bool admit(Branch& b) {
         double survival = std::min(1.0, b.weight / (b.gem < 0 ? outside_weight : roulette_weight));
-        if (b.hits > patient_hits) survival = std::min(survival, patience);
+        if (b.hits > patient_hits || b.bounces > patient_bounces)
+            survival = std::min(survival, patience);
         if (survival >= 1) return true;
         if (!(random_.uniform() < survival)) return false;
         if (b.diffused) {
@@ -252,8 +254,13 @@ Rendering render(const Scene& scene, const RenderOptions& options,
     m["scene"] = scene.title;
     m["seed"] = std::to_string(options.seed);
     m["samples"] = std::to_string(report.samples);
-    m["error estimate"] = std::to_string(report.error);
-    m["dropped energy"] = std::to_string(report.dropped);
+    const auto number = [](double v) {
+        std::ostringstream text;
+        text << v;
+        return text.str();
+    };
+    m["error estimate"] = report.error > 0 ? number(report.error) : "unknown";
+    m["dropped energy"] = number(report.dropped);
     m["samples left out"] = std::to_string(report.bad_samples);
     m["version"] = ICESPAR_VERSION;
     return out;

@@ -207,8 +207,11 @@ private:
                       b.one_wavelength);
         }
         if (thing.finish.diffuse == 0) return;
-        const double albedo = thing.finish.diffuse *
-                              (first ? thing.pigment.first : thing.pigment.second)(wavelength_nm_);
+        // No surface sends on more light than falls on it: beyond that, rooms would shine without
+        // end.
+        const double albedo =
+            std::min(1.0, thing.finish.diffuse *
+                              (first ? thing.pigment.first : thing.pigment.second)(wavelength_nm_));
         if (albedo == 0) return;
         const Departure here{-1, hit.thing};
         for (const Light& light : scene.lights) {
@@ -235,6 +238,7 @@ private:
             child.diffused = child.one_wavelength = true;
             child.response = (albedo / rays) * seen;
             child.hits = b.hits;
+            child.bounces = b.bounces + 1;
             child.weight = child.response.s0;
             push(child, guide);
         }

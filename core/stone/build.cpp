@@ -68,6 +68,9 @@ std::string open_directions(const std::vector<Vec3>& open) {
     return listed(names);
 }
 
+/// Beyond these, products of coordinates leave the range of double.
+constexpr double largest_length = 1e30, largest_normal = 1e60;
+
 void check_plane(const FacetPlane& plane, std::size_t index) {
     const bool finite = is_finite(plane.normal) && std::isfinite(plane.distance) &&
                         std::isfinite(std::hypot(plane.normal.x, plane.normal.y, plane.normal.z));
@@ -78,6 +81,12 @@ void check_plane(const FacetPlane& plane, std::size_t index) {
     if (plane.normal == Vec3{}) {
         throw Error(quoted(plane, index) +
                     " has the normal <0, 0, 0>: give the direction that it faces");
+    }
+    const double size = std::hypot(plane.normal.x, plane.normal.y, plane.normal.z);
+    if (!(size > 1 / largest_normal && size < largest_normal) ||
+        !(std::abs(plane.distance) < largest_length * size)) {
+        throw Error(quoted(plane, index) + " is too large, too small or too far away (beyond " +
+                    "1e30): scale the stone to ordinary sizes");
     }
 }
 
@@ -203,9 +212,12 @@ Stone Stone::from_planes(std::span<const FacetPlane> planes) {
 
 Stone Stone::from_points(std::span<const Vec3> points) {
     for (std::size_t i = 0; i < points.size(); ++i) {
-        if (is_finite(points[i])) continue;
-        throw Error("point " + std::to_string(i + 1) +
-                    " of the hull is not finite: give its coordinates as numbers");
+        const auto in_range = [](double v) { return std::abs(v) < largest_length; };
+        if (in_range(points[i].x) && in_range(points[i].y) && in_range(points[i].z)) continue;
+        throw Error(
+            "point " + std::to_string(i + 1) +
+            " of the hull is not finite, or farther away than 1e30: give its coordinates as "
+            "ordinary numbers");
     }
     const Error flat("the " + std::to_string(points.size()) +
                      " points lie in one plane: a hull needs at least four that do not");

@@ -111,10 +111,11 @@ py::tuple solve_interface(const Medium& medium1, const Medium& medium2, const Do
         for (py::ssize_t i = 0; i < count; ++i) {
             const auto row = static_cast<std::size_t>(i);
             const Wave wave = plane_wave(medium1, mode, d[row], by, n[row]);
-            if (!(wave.flux(n[row]) > 0))
-                throw Error(
-                    "direction[" + std::to_string(i) +
-                    "]: the energy of this wave leaves the face; it must flow along the normal");
+            constexpr double least_flux = 1e-140;
+            if (!(wave.flux(n[row]) > least_flux))
+                throw Error("direction[" + std::to_string(i) +
+                            "]: the energy of this wave leaves the face or runs along it; it must "
+                            "flow along the normal");
             const Interface face(medium1, medium2, n[row], wave);
             const OutgoingWaves waves = face.waves();
             const Coefficients c = face.solve(wave);

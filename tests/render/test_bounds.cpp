@@ -101,6 +101,22 @@ TEST_CASE("a render that is broken off keeps the pixels that are finished, and c
     CHECK_THAT(out.report.dropped, WithinAbs(0.96, 1e-4));
 }
 
+TEST_CASE("a closed room of perfectly white walls is rendered in bounded time",
+          "[render][bounds]") {
+    Scene scene;
+    Thing room;
+    room.shape = BoxShape{};
+    room.to_world =
+        Transform::translation({-0.5, -0.5, -0.5}).then(Transform::scaling({10, 10, 10}));
+    room.pigment.first = Spectrum(5.0);
+    room.finish = {1, 0};
+    scene.things.push_back(room);
+    scene.lights.push_back({{0, 1, 0}});
+    const Rendering out = render(scene, small(4, 8), {});
+    CHECK(out.report.samples == 8);
+    CHECK(out.report.bad_samples == 0);
+}
+
 TEST_CASE("options that make no sense are refused with what would", "[render][bounds]") {
     const Scene scene = picture_scene(glass(1.5), furnace());
     const auto message = [&](auto change) -> std::string {
