@@ -8,7 +8,10 @@
 namespace icespar {
 
 /// The four waves that leave a face for a given tangential wave vector. Index 0 and 1 are s and p
-/// (isotropic) or o and e (uniaxial).
+/// (isotropic), o and e (uniaxial), or fast and slow (biaxial, active): inner and outer sheet of
+/// the surface of wave vectors, also where a line along the normal meets the outer sheet four
+/// times, beside an optic axis at grazing emergence; the wave that lies further in is then called
+/// fast.
 struct OutgoingWaves {
     std::array<Wave, 2> reflected, transmitted;
 };
@@ -18,6 +21,13 @@ struct Coefficients {
     std::array<Complex, 2> reflected, transmitted;  ///< amplitudes of the waves' E
     std::array<double, 2> reflected_power,
         transmitted_power;  ///< parts of the incident normal flux
+    /// Normal flux of both waves together at the face over the incident one. In a transparent
+    /// medium it is the sum of their powers; where a medium absorbs, the two also interfere. With a
+    /// transparent first medium both totals add to 1.
+    double reflected_total = 0, transmitted_total = 0;
+    /// Summed fields just at the face for incident |E| = 1, well defined also where two waves
+    /// merge. Filled for media other than transparent isotropic and uniaxial ones.
+    CVec3 reflected_E, reflected_H, transmitted_E, transmitted_H;
 };
 
 /// A face with everything that the waves of one incident wave vector share.
@@ -48,6 +58,7 @@ public:
 
 private:
     friend struct FaceSolver;
+    friend struct GeneralSolver;
     /// Outgoing waves of one side in the face's frame: x along the tangential wave vector, z =
     /// normal.
     struct Side {
@@ -61,10 +72,15 @@ private:
 
     Medium from_, to_;
     Vec3 x_, y_, normal_;
-    double kt_ = 0;  ///< tangential wave number
+    Complex kt_ = 0;  ///< tangential wave number
+    bool general_ = false;
     Side reflected_, transmitted_;
     std::array<double, 2> flux_in_{};  ///< normal flux of the incident waves of |E| = 1
     std::array<std::array<Complex, 2>, 2> reflect_, transmit_;  ///< [incident mode][outgoing mode]
+    /// General media: summed tangential fields Ex, Ey, Hx, Hy, and their normal flux over the
+    /// incident one, by [incident mode].
+    std::array<std::array<Complex, 4>, 2> reflected_field_, transmitted_field_;
+    std::array<double, 2> reflected_flux_{}, transmitted_flux_{};
 };
 
 }  // namespace icespar
