@@ -1,5 +1,6 @@
 // The program icespar: its command line, and which command runs.
 #include <CLI/CLI.hpp>
+#include <charconv>
 #include <cmath>
 #include <iostream>
 
@@ -32,6 +33,24 @@ std::string positive(const std::string& text) {
     return {};
 }
 
+/// A check that a whole number lies between two bounds.
+auto whole(unsigned long long least, unsigned long long most) {
+    return [=](const std::string& text) -> std::string {
+        unsigned long long value = 0;
+        const char* const end = text.data() + text.size();
+        const auto [at, fault] = std::from_chars(text.data(), end, value);
+        if (fault == std::errc() && at == end && value >= least && value <= most) return {};
+        return "'" + text + "' is not a whole number from " + std::to_string(least) + " to " +
+               std::to_string(most);
+    };
+}
+
+std::string folder(const std::string& text) {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(text, ignored)) return {};
+    return "there is no folder '" + text + "'";
+}
+
 constexpr auto render_footer =
     "--error, --time and --spp may be given together: the bound that is reached first ends the\n"
     "render. Ctrl-C ends it too, and saves what is there; a second Ctrl-C saves nothing.\n"
@@ -59,14 +78,12 @@ int main(int argc, char** argv) {
     render->add_option("SCENE", arguments.scene, "A scene in a .spar, .pov or .inc file")
         ->required();
     render
-        ->add_option(
-            "-o,--output", arguments.outputs,
-            "Where the picture goes: .exr (linear, all that was asked) or .png (sRGB, to look "
-            "at); may be given several times")
+        ->add_option("-o,--output", arguments.outputs,
+                     "The picture: .exr (linear, all that was asked) or .png (sRGB, to look at);\n"
+                     "may be repeated")
         ->required()
         ->type_name("FILE")
-        ->take_all()
-        ->expected(1);
+        ->allow_extra_args(false);
     std::string size;
     render->add_option("--size", size, "Pixels across and down (default 640x480)")
         ->type_name("WxH")
@@ -77,12 +94,11 @@ int main(int argc, char** argv) {
         ->add_option("--spectral", arguments.options.bands,
                      "Keep N spectral bands in the .exr, 1 to 400")
         ->type_name("N")
-        ->check(CLI::Range(1, 400));
+        ->check(whole(1, 400));
     render
-        ->add_option(
-            "--error", arguments.options.error,
-            "Stop when the picture's estimated relative error is below E (default 0.01 when no "
-            "other bound is given)")
+        ->add_option("--error", arguments.options.error,
+                     "Stop when the picture's estimated relative error is below E\n"
+                     "(default 0.01 when no other bound is given)")
         ->type_name("E")
         ->check(positive);
     render->add_option("--time", arguments.options.seconds, "Stop after T seconds")
@@ -90,19 +106,19 @@ int main(int argc, char** argv) {
         ->check(positive);
     render->add_option("--spp", arguments.options.samples, "Stop after N samples a pixel")
         ->type_name("N")
-        ->check(CLI::Range(1, 1 << 30));
+        ->check(whole(1, 1 << 30));
     render->add_option("--threads", arguments.options.threads, "Threads (default: all there are)")
         ->type_name("N")
-        ->check(CLI::Range(1, 4096));
+        ->check(whole(1, 4096));
     render->add_option("--seed", arguments.options.seed, "Another seed, another noise (default 0)")
-        ->type_name("N");
+        ->type_name("N")
+        ->check(whole(0, ~0ULL));
     render
         ->add_option("--allow", arguments.allow,
-                     "A folder the scene may read besides its own; may be given several times")
+                     "A folder the scene may read besides its own; may be repeated")
         ->type_name("DIR")
-        ->take_all()
-        ->expected(1)
-        ->check(CLI::ExistingDirectory);
+        ->allow_extra_args(false)
+        ->check(folder);
 
     CLI::App* check = app.add_subcommand("check", "Read a scene and say what is wrong with it");
     check->footer("Exit codes: 0 nothing is wrong, 1 the scene is at fault, 2 wrong usage.");
@@ -110,11 +126,10 @@ int main(int argc, char** argv) {
         ->required();
     check
         ->add_option("--allow", arguments.allow,
-                     "A folder the scene may read besides its own; may be given several times")
+                     "A folder the scene may read besides its own; may be repeated")
         ->type_name("DIR")
-        ->take_all()
-        ->expected(1)
-        ->check(CLI::ExistingDirectory);
+        ->allow_extra_args(false)
+        ->check(folder);
 
     CLI::App* stone =
         app.add_subcommand("stone", "Facets, volume and proportions of a faceting design");
@@ -124,6 +139,12 @@ int main(int argc, char** argv) {
     minerals->add_option("NAME", mineral, "One mineral, with its indices over the spectrum");
 
     try {
+        const auto named = [&](const CLI::App* command) { return command->check_name(argv[1]); };
+        if (argc > 1 && argv[1][0] != '-' && app.get_subcommands(named).empty()) {
+            std::cerr << "icespar: there is no command '" << argv[1]
+                      << "'; the commands are render, check, stone and minerals\n";
+            return exit_usage;
+        }
         app.parse(argc, argv);
         if (render->parsed()) {
             RenderOptions& o = arguments.options;

@@ -63,7 +63,8 @@ std::string plan_line(const RenderArguments& arguments) {
     };
     if (o.error > 0) add(format("error %g", o.error));
     if (o.seconds > 0) add(format("%g s", o.seconds));
-    if (o.samples > 0) add(std::to_string(o.samples) + " samples a pixel");
+    if (o.samples > 0)
+        add(std::to_string(o.samples) + (o.samples == 1 ? " sample a pixel" : " samples a pixel"));
     const unsigned threads =
         o.threads > 0 ? static_cast<unsigned>(o.threads) : std::thread::hardware_concurrency();
     std::string line = arguments.scene.string() + ": " + std::to_string(o.width) + "x" +
@@ -83,7 +84,7 @@ std::string report_line(const RenderReport& report) {
             std::to_string(report.samples) + (report.samples == 1 ? " sample" : " samples") +
             " a pixel";
     if (report.error > 0) line += format(", error %.2g", report.error);
-    return line + format(", dropped energy %.1e", report.dropped) + ", " +
+    return line + format(", dropped energy %.2g", report.dropped) + ", " +
            std::to_string(report.bad_samples) + " bad samples";
 }
 

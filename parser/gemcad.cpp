@@ -127,7 +127,7 @@ private:
 double GemCadReader::number(std::string_view word, const std::string& what) const {
     if (word.empty()) fail(what + " is missing: write it as a number");
     std::string_view digits = word;
-    if (digits.front() == '+') digits.remove_prefix(1);
+    if (digits.starts_with('+') && !digits.starts_with("+-")) digits.remove_prefix(1);
     double value = 0;
     const auto [end, fault] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     if (fault != std::errc{} || end != digits.data() + digits.size() || !std::isfinite(value)) {

@@ -12,11 +12,17 @@ struct FaceFrame {
     double kn = 0;  ///< k . normal
 
     FaceFrame(const Vec3& normal, const Vec3& k) : z(normal), kn(dot(normal, k)) {
-        // Projected twice: after one projection a tiny tangential part is not yet in the face.
-        Vec3 t = k - kn * normal;
-        t -= dot(normal, t) * normal;
+        const Vec3 once = k - kn * normal;
+        const Vec3 t = once - dot(normal, once) * normal;
         kt = length(t);
-        x = kt > 1e-150 ? t / kt : any_perpendicular(normal);
+        // A second projection that takes away much says that the first left only rounding.
+        if (kt > 0.5 * length(once) && kt > 1e-150) {
+            const Vec3 unit = t / kt;
+            x = normalised(unit - dot(normal, unit) * normal);
+        } else {
+            kt = 0;
+            x = any_perpendicular(normal);
+        }
         y = cross(z, x);
     }
 

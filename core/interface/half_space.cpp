@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "interface/face_medium.hpp"
+#include "interface/local_wave.hpp"
 
 namespace icespar {
 namespace {
@@ -242,7 +242,7 @@ void HalfSpace::plain(const Medium& medium, const FaceFrame& face, int sign, con
         flux[i] = sign * out[i].flux;
         propagating[i] = out[i].propagating;
     }
-    if (m.birefringent && m.all_evanescent()) {
+    if (merging(m, sign)) {
         out[1] = independent_partner(m, sign);
         in[1] = independent_partner(m, -sign);
     }

@@ -7,26 +7,26 @@
 // angles.
 #include "interface/interface.hpp"
 
-#include "interface/face_medium.hpp"
 #include "interface/general_solver.hpp"
+#include "interface/local_wave.hpp"
 
 namespace icespar {
 namespace {
-
-template <class T>
-T pairing(const LocalWave<T>& a, const LocalWave<T>& b) {
-    return a.E.x * b.hy - a.E.y * b.hx + b.E.x * a.hy - b.E.y * a.hx;
-}
 
 template <class T>
 struct Pair2 {
     T first, second;
 };
 
-/// m x = rhs by Cramer's rule.
+/// m x = rhs by Cramer's rule. A determinant that is all rounding (two evanescent waves that merge)
+/// is taken as that rounding, so that amplitudes stay finite.
 template <class T>
 Pair2<T> solved(const T (&m)[2][2], const T& r0, const T& r1) {
-    const T det = m[0][0] * m[1][1] - m[0][1] * m[1][0];
+    constexpr double rounding = 1e-16;
+    const T a = m[0][0] * m[1][1], b = m[0][1] * m[1][0];
+    T det = a - b;
+    const double least = rounding * (std::abs(a) + std::abs(b));
+    if (!(std::abs(det) > least)) det = least > 0 ? least : 1e-300;
     return {(r0 * m[1][1] - m[0][1] * r1) / det, (m[0][0] * r1 - r0 * m[1][0]) / det};
 }
 
@@ -40,7 +40,7 @@ struct FaceSolver {
         const auto transmitted = waves_towards<T>(to, +1);
         auto probe = waves_towards<T>(to, -1);
         if constexpr (std::is_same_v<T, Complex>) {
-            if (to.birefringent && to.all_evanescent()) probe[1] = independent_partner(to, -1);
+            if (merging(to, -1)) probe[1] = independent_partner(to, -1);
         }
         store(face.reflected_, reflected, -1);
         store(face.transmitted_, transmitted, +1);
@@ -60,6 +60,20 @@ struct FaceSolver {
             face.reflect_[m] = {r.first, r.second};
             face.transmit_[m] = {t.first, t.second};
         }
+    }
+
+    /// Two isotropic media: s and p never mix (Fresnel 1823).
+    template <class T>
+    static void fresnel(Interface& face, const FaceMedium& from, const FaceMedium& to) {
+        store(face.reflected_, waves_towards<double>(from, -1), -1);
+        store(face.transmitted_, waves_towards<T>(to, +1), +1);
+        const double q1 = std::sqrt(from.q_o2);
+        const T q2 = signed_root<T>(to.q_o2, +1);
+        face.flux_in_ = {q1, q1};
+        const T s = q1 + q2, p = to.eps_o * q1 + from.eps_o * q2;
+        const double size = norm2(q2, T(to.kt));
+        face.reflect_ = {{{(q1 - q2) / s, 0}, {0, (to.eps_o * q1 - from.eps_o * q2) / p}}};
+        face.transmit_ = {{{2 * q1 / s, 0}, {0, 2 * q1 * std::sqrt(from.eps_o) * size / p}}};
     }
 
     template <class T>
@@ -86,12 +100,29 @@ Interface::Interface(const Medium& from, const Medium& to, const Vec3& normal, c
         return;
     }
     FaceMedium near(from, frame);
-    const FaceMedium far(to, frame);
-    near.adopt(frame.kn, incident.mode == Mode::extraordinary);
+    FaceMedium far(to, frame);
+    const bool extraordinary = incident.mode == Mode::extraordinary;
+    near.adopt(frame.kn, extraordinary);
+    // Index-matched faces stay matched at any grazing angle: q_t^2 - q_i^2 = n_t^2 - n_i^2.
+    far.q_o2 = near.q_o2 + (to.n_o - from.n_o) * (to.n_o + from.n_o);
+    far.complete();
+    if (!from.birefringent && !to.birefringent) {
+        if (far.q_o2 > 0) {
+            FaceSolver::fresnel<double>(*this, near, far);
+        } else {
+            FaceSolver::fresnel<Complex>(*this, near, far);
+        }
+        return;
+    }
+    const Vec3 E = frame.to_face(real(incident.E));
+    const auto arriving = [&]<class T>(T) {
+        return from.birefringent ? incident_waves<T>(near, E, frame.kn, extraordinary)
+                                 : waves_towards<T>(near, +1);
+    };
     if (near.all_real() && far.all_real()) {
-        FaceSolver::solve<double>(*this, near, far, waves_towards<double>(near, +1));
+        FaceSolver::solve<double>(*this, near, far, arriving(double{}));
     } else {
-        FaceSolver::solve<Complex>(*this, near, far, waves_towards<Complex>(near, +1));
+        FaceSolver::solve<Complex>(*this, near, far, arriving(Complex{}));
     }
 }
 

@@ -140,7 +140,7 @@ Wave plane_wave(const Medium& medium, Mode mode, const Vec3& direction, By by, c
         k = medium.n_o * direction;
         wave.ray = direction;
         if (mode == Mode::ordinary) {
-            E = crystal.ordinary(dot(k, crystal.a), dot(k, crystal.b));
+            E = crystal.ordinary(dot(direction, crystal.a), dot(direction, crystal.b));
         } else {
             const FaceFrame face(normal, k);
             E = mode == Mode::s ? face.y : cross(direction, face.y);

@@ -193,8 +193,8 @@ Rendering render(const Scene& scene, const RenderOptions& options,
     while (!report.interrupted) {
         int count = samples_per_pass;
         if (options.samples > 0) count = std::min(count, options.samples - report.samples);
-        for (int begin = 0; begin < tiles && !report.interrupted; begin += batch) {
-            const int end = std::min(begin + batch, tiles);
+        for (int begin = 0, end = 0; begin < tiles && !report.interrupted; begin = end) {
+            end = std::min(begin + batch, tiles);
             const double before = seconds();
             arena.execute([&] {
                 tbb::parallel_for(

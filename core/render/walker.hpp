@@ -104,6 +104,7 @@ private:
         Wave incident;
         incident.mode = b.gem >= 0 && from.birefringent ? b.mode : Mode::s;
         incident.k = complexified(b.k);
+        incident.E = complexified(b.basis[0]);
         const Interface face(from, to, normal, incident);
 
         // Amplitudes of the incident waves: one mode of a crystal, or s and p of an isotropic
@@ -141,6 +142,7 @@ private:
                     const Wave wave = transmitted ? face.transmitted(i) : face.reflected(i);
                     child.mode = wave.mode;
                     launch(child, wave);
+                    child.basis[0] = real(wave.E);
                     for (std::size_t axis = 0; axis < 2; ++axis) {
                         child.amplitude[axis] = {
                             outgoing(face, incoming[axis], first, last, transmitted, i), 0};

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <set>
 #include <utility>
 
 #include "math/error.hpp"
@@ -17,7 +18,7 @@ constexpr double coincidence = 1e-9;
 /// Thickness of a face of a hull, in units of the hull's size; points with six decimals have it.
 constexpr double flatness = 1e-6;
 /// A stone longer than this many of its inner radii is open, but for rounding.
-constexpr double longest = 1e9;
+constexpr double longest = 1e12;
 
 std::string label(const std::string& name, std::size_t index) {
     return name.empty() ? "facet " + std::to_string(index + 1) : name;
@@ -48,7 +49,7 @@ std::string written(const Vec3& v) {
     return text;
 }
 
-/// The few directions that differ, in the order given.
+/// A few of the directions that differ.
 std::string open_directions(const std::vector<Vec3>& open) {
     constexpr std::size_t most = 4;
     std::vector<std::string> names;
@@ -58,6 +59,7 @@ std::string open_directions(const std::vector<Vec3>& open) {
         const std::string name = written(normalised(direction / largest));
         if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
     }
+    std::sort(names.begin(), names.end());
     if (names.size() > most) {
         const std::size_t more = names.size() - (most - 1);
         names.resize(most - 1);
@@ -103,13 +105,14 @@ std::vector<std::size_t> distinct_planes(std::span<const FacetPlane> planes, con
     return distinct;
 }
 
-/// The mean of the hull's corners.
+/// The mean of the hull's corners, each counted once.
 Vec3 middle(std::span<const Vec3> points, std::span<const Triangle> triangles) {
+    std::set<std::uint32_t> corners;
+    for (const Triangle& t : triangles) corners.insert(t.begin(), t.end());
+    const Vec3& origin = points[*corners.begin()];
     Vec3 sum;
-    for (const Triangle& t : triangles) {
-        for (const std::uint32_t corner : t) sum += points[corner] - points[0];
-    }
-    return points[0] + sum / (3.0 * static_cast<double>(triangles.size()));
+    for (const std::uint32_t corner : corners) sum += points[corner] - origin;
+    return origin + sum / static_cast<double>(corners.size());
 }
 
 std::vector<std::uint32_t> corners_of(std::span<const Triangle> triangles,
@@ -123,19 +126,34 @@ std::vector<std::uint32_t> corners_of(std::span<const Triangle> triangles,
     return corners;
 }
 
-/// A lone triangle's plane is exact; a merged face has the area-weighted normal, and touches the
-/// points from outside.
+/// The area-weighted normal of a face, from its outer edges alone: how the hull cut a flat face
+/// into triangles is of no account.
+Vec3 face_normal(std::span<const Vec3> points, std::span<const Triangle> triangles,
+                 const std::vector<std::uint32_t>& face) {
+    std::set<std::pair<std::uint32_t, std::uint32_t>> outer;
+    for (const std::uint32_t t : face) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::uint32_t from = triangles[t][k], to = triangles[t][(k + 1) % 3];
+            if (outer.erase({to, from}) == 0) outer.insert({from, to});
+        }
+    }
+    const Vec3& origin = points[outer.begin()->first];
+    Vec3 area;
+    for (const auto& [from, to] : outer) area += cross(points[from] - origin, points[to] - origin);
+    return area;
+}
+
+/// A lone triangle's plane is exact; a merged face touches the points from outside.
 HalfSpace plane_of(std::span<const Vec3> points, std::span<const Triangle> triangles,
                    const std::vector<std::uint32_t>& face) {
     if (face.size() == 1) {
         const auto& [a, b, c] = triangles[face.front()];
         return {{}, 0, std::array{points[a], points[b], points[c]}};
     }
-    Vec3 area;
-    for (const std::uint32_t t : face) area += vector_area(points, triangles[t]);
+    const Vec3 normal = face_normal(points, triangles, face);
     double distance = -std::numeric_limits<double>::infinity();
-    for (const Vec3& p : points) distance = std::max(distance, dot(area, p));
-    return {area, distance};
+    for (const Vec3& p : points) distance = std::max(distance, dot(normal, p));
+    return {normal, distance};
 }
 
 }  // namespace

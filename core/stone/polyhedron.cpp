@@ -229,7 +229,7 @@ Polyhedron without_slivers(const std::vector<ExactPlane>& planes) {
         const std::vector<bool> wide = wide_facets(p);
         const bool same = std::equal(wide.begin(), wide.end(), p.loops.begin(),
                                      [](bool w, const Loop& loop) { return w == !loop.empty(); });
-        if (same) break;
+        if (same || std::count(wide.begin(), wide.end(), true) < 4) break;
         Polyhedron next = polyhedron(planes, wide);
         if (!next.open.empty() || volume_of(next) > volume_of(p) * (1 + 1e-6)) break;
         p = std::move(next);
@@ -334,7 +334,14 @@ std::vector<Triangle> hull_triangles(std::span<const Vec3> points) {
     for (const Vec3& p : points) exact_points.push_back(CGAL::ORIGIN + exact(p));
     std::vector<Triangle> triangles;
     if (spanning_points(exact_points).size() < 4) return triangles;
-    for (const HullFace& face : convex_hull(exact_points).faces) triangles.push_back(face.corners);
+    Hull hull = convex_hull(exact_points);
+    for (HullFace& face : hull.faces) {
+        auto& c = face.corners;
+        std::rotate(c.begin(), std::min_element(c.begin(), c.end()), c.end());
+        triangles.push_back(c);
+    }
+    // CGAL's order can depend on where memory lies.
+    std::sort(triangles.begin(), triangles.end());
     return triangles;
 }
 

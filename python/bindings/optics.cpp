@@ -180,10 +180,7 @@ void bind_optics(py::module_& module) {
         .def_readonly("n_o", &Medium::n_o, "Ordinary index; the only one when isotropic.")
         .def_readonly("n_e", &Medium::n_e, "Principal extraordinary index; n_o when isotropic.")
         .def_property_readonly(
-            "axis",
-            [](const Medium& m) {
-                return std::array{m.axis.x, m.axis.y, m.axis.z};
-            },
+            "axis", [](const Medium& m) { return py::make_tuple(m.axis.x, m.axis.y, m.axis.z); },
             "Unit optic axis.")
         .def_readonly("birefringent", &Medium::birefringent, "True when the modes are o and e.")
         .def(

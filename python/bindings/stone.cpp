@@ -109,7 +109,7 @@ void bind_stone(py::module_& module) {
             "size",
             [](const Stone& s) {
                 const GirdleSize size = girdle_size(s);
-                return std::array{size.length, size.width, size.height};
+                return py::make_tuple(size.length, size.width, size.height);
             },
             "Length, width and height: width is the least extent across z, length the extent at "
             "right "

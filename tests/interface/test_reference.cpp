@@ -1,4 +1,5 @@
-// The interface core agrees with Maxwell's equations solved in sixty digits, as far as its inputs allow.
+// The interface core agrees with Maxwell's equations solved in sixty digits, as far as its inputs
+// allow.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <sstream>
@@ -26,10 +27,9 @@ void check_kind(Stress stress, int count, std::uint64_t seed) {
         if (!(worst.excess <= 1)) findings.push_back({worst, c});
     }
     const auto shown = std::min<std::size_t>(findings.size(), 10);
-    std::partial_sort(findings.begin(), findings.begin() + static_cast<std::ptrdiff_t>(shown),
-                      findings.end(), [](const Finding& a, const Finding& b) {
-                          return a.worst.excess > b.worst.excess;
-                      });
+    std::partial_sort(
+        findings.begin(), findings.begin() + static_cast<std::ptrdiff_t>(shown), findings.end(),
+        [](const Finding& a, const Finding& b) { return a.worst.excess > b.worst.excess; });
     std::ostringstream report;
     for (std::size_t i = 0; i < shown; ++i) {
         const auto& [worst, problem] = findings[i];

@@ -54,6 +54,9 @@ enum class Stress {
 
 [[nodiscard]] const char* name(Stress stress);
 
+/// A small number as 1.234e-15: Catch would print 0.0.
+[[nodiscard]] std::string in_digits(double value);
+
 /// Reproducible on every platform: std distributions are not.
 class Random {
 public:

@@ -38,6 +38,18 @@ double sharpness(const Medium& m, const Wave& w, const Vec3& normal) {
     return length(cross(m.birefringent ? m.axis : normal, real(w.k))) / w.n_phase;
 }
 
+/// How far the face is from the critical angle of any outgoing wave: rounding of the wave vector
+/// moves powers by its inverse.
+double distance_from_critical(const OutgoingWaves& out, const Vec3& normal) {
+    double least = 1;
+    for (const auto& side : {out.reflected, out.transmitted})
+        for (const Wave& w : side)
+            least = std::min(least, w.propagating
+                                        ? std::abs(dot(w.ray, normal))
+                                        : std::abs(std::imag(dot(w.k, complexified(normal)))));
+    return least;
+}
+
 }  // namespace
 
 double reciprocity_error(const InterfaceCase& c) {
@@ -46,6 +58,7 @@ double reciprocity_error(const InterfaceCase& c) {
     const Coefficients there = face.solve(in);
     const OutgoingWaves out = face.waves();
     const double in_sharpness = sharpness(c.from, in, c.normal);
+    const double depth = c.cos_ray * distance_from_critical(out, c.normal);
     const int a = c.mode_index();
     double worst = 0;
     for (int b = 0; b < 2; ++b)
@@ -53,8 +66,7 @@ double reciprocity_error(const InterfaceCase& c) {
             const Wave& w = reflected ? out.reflected[b] : out.transmitted[b];
             const Medium& medium = reflected ? c.from : c.to;
             const double sharp = std::min(in_sharpness, sharpness(medium, w, c.normal));
-            const double cos_out = std::abs(dot(w.ray, c.normal));
-            if (!w.propagating || sharp < 1e-7 || cos_out < 1e-9) continue;
+            if (!w.propagating || sharp < 1e-7) continue;
             const Wave back_in = reversed(w);
             double there_power, back_power;
             if (reflected) {
@@ -66,8 +78,7 @@ double reciprocity_error(const InterfaceCase& c) {
                 back_power =
                     Interface(c.to, c.from, -c.normal, back_in).solve(back_in).transmitted_power[a];
             }
-            const double weight = std::min({1.0, c.cos_ray, cos_out, sharp});
-            const double error = weight * std::abs(there_power - back_power);
+            const double error = std::min(depth, sharp) * std::abs(there_power - back_power);
             worst = error <= worst ? worst : error;
         }
     return worst;

@@ -1,4 +1,5 @@
-// The sixty-digit boundary problem: modes of each half space from Berreman's matrix, named, then matched.
+// The sixty-digit boundary problem: modes of each half space from Berreman's matrix, named, then
+// matched.
 #include "support/maxwell_reference.hpp"
 
 #include <algorithm>
@@ -44,8 +45,8 @@ struct Eigenwave {
     std::vector<Vector> fields;  ///< basis of the E belonging to q, in global coordinates
 };
 
-/// q (Ex, Ey, Hx, Hy) = D (Ex, Ey, Hx, Hy), from k x E = H and k x H = -epsilon E with the z components
-/// eliminated: epsilon_zz Ez = -epsilon_zx Ex - epsilon_zy Ey - K Hy, Hz = K Ey.
+/// q (Ex, Ey, Hx, Hy) = D (Ex, Ey, Hx, Hy), from k x E = H and k x H = -epsilon E with the z
+/// components eliminated: epsilon_zz Ez = -epsilon_zx Ex - epsilon_zy Ey - K Hy, Hz = K Ey.
 std::vector<Eigenwave> eigenwaves(const Material& m, const Frame& frame) {
     Tensor e{};
     for (int j = 0; j < 3; ++j) {
@@ -105,14 +106,6 @@ std::array<Vector, 2> named_polarisations(const Material& m, const Vector& k,
     return {cross(k, axis), combine(Cplx(1), axis, -dot(k, axis) / m.epsilon_o, k)};
 }
 
-/// v with the phase of `model`.
-Vector in_phase(const Vector& v, const Vector& model) {
-    Cplx overlap = 0;
-    for (int i = 0; i < 3; ++i) overlap += conjugate(v[i]) * model[i];
-    const Real size = magnitude(overlap);
-    return size == 0 ? v : scaled(v, overlap / size);
-}
-
 /// The two waves of one half space in the order of their names.
 std::array<PlaneWave, 2> named(const Material& m, const Frame& frame, std::vector<Eigenwave> pair,
                                const Vector& face_normal) {
@@ -136,10 +129,12 @@ std::array<PlaneWave, 2> named(const Material& m, const Frame& frame, std::vecto
         if (m.modes == Material::Modes::fast_slow) {
             if (free_choice) E = pair[mode].fields[mode];
         } else {
+            // The named polarisation spans the null space (residual() shows it), and keeps its
+            // digits where two eigenvalues nearly meet and the null space of one is lost in that of
+            // both.
             const auto model = named_polarisations(m, k, face_normal);
-            const bool undetermined = hermitian_norm(model[0]) < Real("1e-40");
-            if (!undetermined)
-                E = free_choice ? model[mode] : in_phase(E, model[mode]);
+            if (hermitian_norm(model[0]) > Real("1e-40"))
+                E = model[mode];
             else if (free_choice)
                 E = mode == 0 ? frame.axes[1] : cross(k, frame.axes[1]);
         }
@@ -202,12 +197,12 @@ Solution solve(const Material& from, const Material& to, const Double3& normal,
         for (int i = 0; i < 4; ++i) a[i][m] = -r[i], a[i][2 + m] = t[i];
     }
     const Vector4 x = solve_linear(a, b);
-    for (int m = 0; m < 2; ++m) s.reflected[m].amplitude = x[m], s.transmitted[m].amplitude = x[2 + m];
+    for (int m = 0; m < 2; ++m)
+        s.reflected[m].amplitude = x[m], s.transmitted[m].amplitude = x[2 + m];
     for (auto* side : {&s.reflected, &s.transmitted})
         for (PlaneWave& w : *side)
-            w.power = w.propagating
-                          ? Real(norm2(w.amplitude) * abs(dot(w.flow, n)) / s.normal_flux)
-                          : Real(0);
+            w.power = w.propagating ? Real(norm2(w.amplitude) * abs(dot(w.flow, n)) / s.normal_flux)
+                                    : Real(0);
     s.reflected_field = combine(x[0], s.reflected[0].E, x[1], s.reflected[1].E);
     s.transmitted_field = combine(x[2], s.transmitted[0].E, x[3], s.transmitted[1].E);
     return s;
@@ -225,7 +220,7 @@ Real residual(const Solution& s, const Material& from, const Material& to, const
     for (const auto& w : s.reflected) check(w, from);
     for (const auto& w : s.transmitted) check(w, to);
     const Vector n = complexified(unit(normal));
-    for (Vector PlaneWave::* field : {&PlaneWave::E, &PlaneWave::H}) {
+    for (Vector PlaneWave::*field : {&PlaneWave::E, &PlaneWave::H}) {
         Vector jump = s.incident.*field;
         for (const auto& w : s.reflected) jump = combine(Cplx(1), jump, w.amplitude, w.*field);
         for (const auto& w : s.transmitted) jump = combine(Cplx(1), jump, -w.amplitude, w.*field);

@@ -55,8 +55,8 @@ PlaneWave wave_along(const Material&, int mode, const Double3& direction,
 Solution solve(const Material& from, const Material& to, const Double3& normal,
                const Double3& direction, int mode);
 
-/// Largest residual of k x E = H, k x H = -epsilon E, |E| = 1 over the five waves, and of continuity of
-/// tangential E and H.
+/// Largest residual of k x E = H, k x H = -epsilon E, |E| = 1 over the five waves, and of
+/// continuity of tangential E and H.
 Real residual(const Solution&, const Material& from, const Material& to, const Double3& normal);
 
 /// Vector algebra shared with the self-checks.

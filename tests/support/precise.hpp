@@ -1,4 +1,5 @@
-// Sixty-digit real and complex numbers, and 4 x 4 linear algebra on them for the Maxwell reference.
+// High-precision real and complex numbers, and 4 x 4 linear algebra on them for the Maxwell
+// reference.
 #pragma once
 
 #include <array>
@@ -9,9 +10,9 @@
 namespace reference {
 
 namespace mp = boost::multiprecision;
-using Digits60 = mp::cpp_bin_float<60>;
-using Real = mp::number<Digits60, mp::et_off>;
-using Cplx = mp::number<mp::complex_adaptor<Digits60>, mp::et_off>;
+using Digits = mp::cpp_bin_float<75>;  // sixty, and what degenerate cases lose; still four limbs
+using Real = mp::number<Digits, mp::et_off>;
+using Cplx = mp::number<mp::complex_adaptor<Digits>, mp::et_off>;
 
 template <std::size_t N>
 using Row = std::array<Cplx, N>;

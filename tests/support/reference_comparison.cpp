@@ -44,10 +44,14 @@ bool undetermined(const InterfaceCase& c) {
 
 Mode other(Mode mode) {
     switch (mode) {
-        case Mode::s: return Mode::p;
-        case Mode::p: return Mode::s;
-        case Mode::ordinary: return Mode::extraordinary;
-        default: return Mode::ordinary;
+        case Mode::s:
+            return Mode::p;
+        case Mode::p:
+            return Mode::s;
+        case Mode::ordinary:
+            return Mode::extraordinary;
+        default:
+            return Mode::ordinary;
     }
 }
 
@@ -77,26 +81,25 @@ PlainWaves core_waves(const InterfaceCase& c) {
 }
 
 PlainWaves reference_waves(const InterfaceCase& c) {
-    const reference::Solution s =
-        reference::solve(material(c.from), material(c.to), array(c.normal), array(c.direction),
-                         c.mode_index());
+    const reference::Solution s = reference::solve(
+        material(c.from), material(c.to), array(c.normal), array(c.direction), c.mode_index());
     const auto plain = [](const reference::PlaneWave& w) {
         const auto ray = w.ray();
-        return PlainWave{to_double(w.k),
-                         to_double(w.E),
-                         to_double(w.H),
-                         {static_cast<double>(ray[0]), static_cast<double>(ray[1]),
-                          static_cast<double>(ray[2])},
-                         Complex(static_cast<double>(w.amplitude.real()),
-                                 static_cast<double>(w.amplitude.imag())),
-                         static_cast<double>(w.power)};
+        return PlainWave{
+            to_double(w.k),
+            to_double(w.E),
+            to_double(w.H),
+            {static_cast<double>(ray[0]), static_cast<double>(ray[1]), static_cast<double>(ray[2])},
+            Complex(static_cast<double>(w.amplitude.real()),
+                    static_cast<double>(w.amplitude.imag())),
+            static_cast<double>(w.power)};
     };
     return {plain(s.incident), plain(s.reflected[0]), plain(s.reflected[1]),
             plain(s.transmitted[0]), plain(s.transmitted[1])};
 }
 
 /// Total field of side 0 (reflected) or 1 (transmitted).
-CVec3 total(const PlainWaves& w, int side, CVec3 PlainWave::* field) {
+CVec3 total(const PlainWaves& w, int side, CVec3 PlainWave::*field) {
     const PlainWave &a = w[1 + 2 * side], &b = w[2 + 2 * side];
     return a.amplitude * (a.*field) + b.amplitude * (b.*field);
 }
@@ -126,7 +129,8 @@ Answer answer(const InterfaceCase& c, Solver solver) {
     for (int side = 0; side < 2; ++side) {
         const std::string who = side == 0 ? "total reflected " : "total transmitted ";
         double power = 0;
-        std::array<std::array<CVec3, 3>, 2> field{};  // of E and H, for each component of incident E
+        std::array<std::array<CVec3, 3>, 2>
+            field{};  // of E and H, for each component of incident E
         for (const PlainWaves& v : incidences) {
             power += v[1 + 2 * side].power + v[2 + 2 * side].power;
             const CVec3 in = both ? conj(v[0].E) : CVec3{1, 0, 0};
@@ -157,7 +161,8 @@ double scale(const Quantity& q) {
     return std::max(1.0, distance(q.values, std::vector<double>(q.values.size())));
 }
 
-/// Every input double moved by `ulps`: indices by their own ulp, components of unit vectors by that of 1.
+/// Every input double moved by `ulps`: indices by their own ulp, components of unit vectors by that
+/// of 1.
 std::vector<InterfaceCase> moved(const InterfaceCase& c, double ulps) {
     constexpr double epsilon = std::numeric_limits<double>::epsilon();
     std::vector<InterfaceCase> cases;
@@ -167,17 +172,17 @@ std::vector<InterfaceCase> moved(const InterfaceCase& c, double ulps) {
         value += by == 0 ? ulps * epsilon * value : ulps * by;
     };
     const auto move_vector = [&](auto member) {
-        for (double Vec3::* component : {&Vec3::x, &Vec3::y, &Vec3::z})
+        for (double Vec3::*component : {&Vec3::x, &Vec3::y, &Vec3::z})
             move([&](InterfaceCase& d) -> double& { return member(d).*component; }, epsilon / 2);
     };
-    for (Medium InterfaceCase::* side : {&InterfaceCase::from, &InterfaceCase::to}) {
+    move_vector([](InterfaceCase& d) -> Vec3& { return d.normal; });
+    move_vector([](InterfaceCase& d) -> Vec3& { return d.direction; });
+    for (Medium InterfaceCase::*side : {&InterfaceCase::from, &InterfaceCase::to}) {
         move([&](InterfaceCase& d) -> double& { return (d.*side).n_o; }, 0);
         if (!(c.*side).birefringent) continue;
         move([&](InterfaceCase& d) -> double& { return (d.*side).n_e; }, 0);
         move_vector([&](InterfaceCase& d) -> Vec3& { return (d.*side).axis; });
     }
-    move_vector([](InterfaceCase& d) -> Vec3& { return d.normal; });
-    move_vector([](InterfaceCase& d) -> Vec3& { return d.direction; });
     return cases;
 }
 
@@ -205,18 +210,18 @@ Accuracy accuracy(const InterfaceCase& c) {
         }
         return result.worst.excess <= 1;
     };
-    // Downward steps are tried only if upward ones do not explain the error.
-    for (const double ulps : {1.0, -1.0}) {
-        if (judge()) break;
-        result.conditioned = true;
+    if (judge()) return result;
+    result.conditioned = true;
+    // Steps are tried, upward ones first, until they explain the error.
+    for (const double ulps : {1.0, -1.0})
         for (const InterfaceCase& d : moved(c, ulps)) {
             const Answer changed = reference_answer(d);
             for (std::size_t i = 0; i < count; ++i)
-                conditioning[i] = std::max(
-                    conditioning[i], distance(truth[i].values, changed[i].values) / scale(truth[i]));
+                conditioning[i] =
+                    std::max(conditioning[i],
+                             distance(truth[i].values, changed[i].values) / scale(truth[i]));
+            if (judge()) return result;
         }
-        judge();
-    }
     return result;
 }
 

@@ -1,4 +1,5 @@
-// The interface core against the Maxwell reference, with the conditioning of each case as the yardstick.
+// The interface core against the Maxwell reference, with the conditioning of each case as the
+// yardstick.
 #pragma once
 
 #include <string>
@@ -16,20 +17,22 @@ struct Quantity {
 
 using Answer = std::vector<Quantity>;
 
-/// Of all waves: k, E, ray, power and field at the face; and the totals. Where the polarisation of the
-/// incident wave is undetermined (s and p at normal incidence, o and e along the axis) the totals are
-/// summed over both incident modes, which does not depend on the choice.
+/// Of all waves: k, E, ray, power and field at the face; and the totals. Where the polarisation of
+/// the incident wave is undetermined (s and p at normal incidence, o and e along the axis) the
+/// totals are summed over both incident modes, which does not depend on the choice.
 [[nodiscard]] Answer core_answer(const InterfaceCase& c);
 [[nodiscard]] Answer reference_answer(const InterfaceCase& c);
 
 struct Discrepancy {
     std::string quantity;
-    double error = 0;         ///< |core - reference| / max(1, |reference|)
-    double conditioning = 0;  ///< change of the reference for one ulp in the worst input, likewise
-    double excess = 0;        ///< error / (1e-12 + 50 conditioning); above 1 the core is at fault
+    double error = 0;  ///< |core - reference| / max(1, |reference|)
+    double conditioning =
+        0;              ///< change of the reference for one ulp in the worst input tried, likewise
+    double excess = 0;  ///< error / (1e-12 + 50 conditioning); above 1 the core is at fault
 };
 
-/// The quantity of largest excess. Conditioning is worked out only when some error is above 1e-12.
+/// The quantity of largest excess. Inputs are moved only when some error is above 1e-12, and only
+/// until that is explained.
 [[nodiscard]] Discrepancy compare(const InterfaceCase& c);
 
 /// compare, and the largest error of all quantities whatever their conditioning.
