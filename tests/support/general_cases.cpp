@@ -65,8 +65,12 @@ reference::Material MediumRecipe::material() const {
         return Cplx(w * w);
     };
     Material m;
-    m.modes = Material::Modes::fast_slow;
+    m.modes = symmetry == Symmetry::isotropic  ? Material::Modes::s_p
+              : symmetry == Symmetry::uniaxial ? Material::Modes::o_e
+                                               : Material::Modes::fast_slow;
     const RealVector a = unit(array(first));
+    m.axis = a;
+    m.epsilon_o = square(n[0]);
     std::array<Cplx, 3> e{square(n[0]), square(n[1]), square(n[2])};
     if (symmetry == Symmetry::isotropic) e = {e[0], e[0], e[0]};
     if (symmetry == Symmetry::uniaxial) e = {e[1], e[0], e[0]};
