@@ -15,10 +15,11 @@ ReadScene read_scene(const std::filesystem::path& file, const LoadOptions& optio
         if (result.errors == 0) ++result.errors;
         return result;
     }
-    for (const std::string& fault : faults(*loaded.scene)) {
-        messages << file.string() << ": error: " << fault << '\n';
-        ++result.errors;
-    }
+    for (const auto& found : {faults(*loaded.scene), camera_faults(*loaded.scene)})
+        for (const std::string& fault : found) {
+            messages << file.string() << ": error: " << fault << '\n';
+            ++result.errors;
+        }
     if (result.errors == 0) result.scene = std::move(loaded.scene);
     return result;
 }

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "math/error.hpp"
 #include "parser/load.hpp"
 #include "stone/cut.hpp"
 #include "stone/stone.hpp"
@@ -116,6 +117,14 @@ double table_width(const Stone& stone) {
     return extent(corners, narrow_in_x ? &Vec3::x : &Vec3::y);
 }
 
+Stone cut(const Design& design, const std::filesystem::path& file) {
+    try {
+        return Stone::from_planes(design.planes);
+    } catch (const Error& error) {
+        throw Error(file.string() + ": " + error.what());
+    }
+}
+
 /// "X (4), Y (4), T0": each name once, in the order of the file.
 std::string counted(const std::vector<std::string>& names) {
     std::map<std::string, int> count;
@@ -133,7 +142,7 @@ std::string counted(const std::vector<std::string>& names) {
 
 void stone_command(const std::filesystem::path& file, std::ostream& out) {
     const Design design = read_design(file);
-    const Stone stone = Stone::from_planes(design.planes);
+    const Stone stone = cut(design, file);
     const GirdleSize size = girdle_size(stone);
 
     for (const std::string& header : design.headers) {

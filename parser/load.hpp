@@ -34,14 +34,16 @@ struct LoadOptions {
 };
 
 struct LoadResult {
-    std::optional<Scene> scene;  ///< nothing when there was an error
+    std::optional<Scene> scene;           ///< nothing when there was an error
     std::vector<Diagnostic> diagnostics;  ///< at most 20 errors; warnings once per word
 };
 
-[[nodiscard]] LoadResult load_scene_file(const std::filesystem::path& file, const LoadOptions& = {});
+[[nodiscard]] LoadResult load_scene_file(const std::filesystem::path& file,
+                                         const LoadOptions& = {});
 /// `folder` is where relative includes and designs are looked for.
 [[nodiscard]] LoadResult load_scene_text(std::string_view text, const std::string& name,
-                                         const std::filesystem::path& folder, const LoadOptions& = {});
+                                         const std::filesystem::path& folder,
+                                         const LoadOptions& = {});
 
 /// A faceting design by its file's ending (.asc). Throws Error with file and line.
 [[nodiscard]] Design read_design(const std::filesystem::path& file);

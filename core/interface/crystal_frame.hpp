@@ -12,6 +12,13 @@ inline double norm2(const Complex& a, const Complex& b) {
     return std::sqrt(std::norm(a) + std::norm(b));
 }
 
+/// a^2 + b^2; for complex pairs as a product, which stays precise where it vanishes.
+inline double square(double a, double b) { return a * a + b * b; }
+inline Complex square(const Complex& a, const Complex& b) {
+    const Complex turned{-b.imag(), b.real()};
+    return (a + turned) * (a - turned);
+}
+
 struct CrystalFrame {
     Vec3 a, b, c;
 
@@ -39,7 +46,7 @@ struct CrystalFrame {
     template <class T>
     [[nodiscard]] Vector3<T> extraordinary(T ka, T kb, T kc, double eps_o, double eps_e) const {
         const double m = norm2(ka, kb);
-        const T along = m == 0 ? T(0) : (ka * ka + kb * kb) / m;
+        const T along = m == 0 ? T(0) : square(ka, kb) / m;
         if (m == 0) {
             ka = T(1);
             kb = T(0);

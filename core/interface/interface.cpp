@@ -30,6 +30,15 @@ Pair2<T> solved(const T (&m)[2][2], const T& r0, const T& r1) {
     return {(r0 * m[1][1] - m[0][1] * r1) / det, (m[0][0] * r1 - r0 * m[1][0]) / det};
 }
 
+/// The real direction of a linearly polarised field, whatever its phase.
+Vec3 without_phase(const CVec3& E) {
+    const Complex largest = std::norm(E.x) >= std::norm(E.y)
+                                ? (std::norm(E.x) >= std::norm(E.z) ? E.x : E.z)
+                                : (std::norm(E.y) >= std::norm(E.z) ? E.y : E.z);
+    const double size = std::abs(largest);
+    return size > 0 && largest.imag() != 0 ? real(std::conj(largest) / size * E) : real(E);
+}
+
 }  // namespace
 
 struct FaceSolver {
@@ -38,21 +47,35 @@ struct FaceSolver {
                       const std::array<LocalWave<T>, 2>& incident) {
         const auto reflected = waves_towards<T>(from, -1);
         const auto transmitted = waves_towards<T>(to, +1);
-        auto probe = waves_towards<T>(to, -1);
-        if constexpr (std::is_same_v<T, Complex>) {
-            if (merging(to, -1)) probe[1] = independent_partner(to, -1);
-        }
         store(face.reflected_, reflected, -1);
         store(face.transmitted_, transmitted, +1);
         face.flux_in_ = {incident[0].flux, incident[1].flux};
+        if constexpr (std::is_same_v<T, Complex>) {
+            if (merging(to, +1)) {
+                const MergedPair away(to, +1), probe(to, -1);
+                match<T>(face, incident, reflected, {away.ordinary, away.partner},
+                         {probe.ordinary, probe.partner});
+                for (auto& t : face.transmit_) t = away.unit_amplitudes(t[0], t[1]);
+                return;
+            }
+        }
+        match<T>(face, incident, reflected, transmitted, waves_towards<T>(to, -1));
+    }
+
+    /// `probe`: the waves of the far medium that come towards the face.
+    template <class T>
+    using Waves = std::array<LocalWave<T>, 2>;
+    template <class T>
+    static void match(Interface& face, const Waves<T>& incident, const Waves<T>& reflected,
+                      const Waves<T>& transmitted, const Waves<T>& probe) {
         T reflect[2][2], transmit[2][2];
-        for (int j = 0; j < 2; ++j) {
-            for (int i = 0; i < 2; ++i) {
+        for (std::size_t j = 0; j < 2; ++j) {
+            for (std::size_t i = 0; i < 2; ++i) {
                 reflect[j][i] = pairing(probe[j], reflected[i]);
                 transmit[j][i] = pairing(incident[j], transmitted[i]);
             }
         }
-        for (int m = 0; m < 2; ++m) {
+        for (std::size_t m = 0; m < 2; ++m) {
             const auto r = solved<T>(reflect, -pairing(probe[0], incident[m]),
                                      -pairing(probe[1], incident[m]));
             const T self = pairing(incident[m], incident[m]);
@@ -114,7 +137,7 @@ Interface::Interface(const Medium& from, const Medium& to, const Vec3& normal, c
         }
         return;
     }
-    const Vec3 E = frame.to_face(real(incident.E));
+    const Vec3 E = from.birefringent ? frame.to_face(without_phase(incident.E)) : Vec3{};
     const auto arriving = [&]<class T>(T) {
         return from.birefringent ? incident_waves<T>(near, E, frame.kn, extraordinary)
                                  : waves_towards<T>(near, +1);

@@ -114,29 +114,25 @@ std::array<LocalWave<T>, 2> waves_towards(const FaceMedium& m, double sign) {
 template <class T>
 std::array<LocalWave<T>, 2> incident_waves(const FaceMedium& m, const Vec3& E, double kn,
                                            bool extraordinary) {
-    constexpr double close = 0.1;
+    constexpr double close = 0.1, noise = 1e-14;
     const CrystalPair<T> pair(m, +1);
     const CrystalFrame& f = m.crystal;
     double ka = m.kt * f.a.x + kn * f.a.z, kb = m.kt * f.b.x + kn * f.b.z;
     const double kc = m.kt * f.c.x + kn * f.c.z;
     const double across = norm2(ka, kb);
     if (across < close * std::abs(kc)) {
-        double ua = dot(E, f.a), ub = dot(E, f.b);
-        if (extraordinary) {
-            if (kc > 0) {
-                ua = -ua;
-                ub = -ub;
-            }
-        } else {
-            ua = std::exchange(ub, ua);
-            ua = -ua;
-        }
+        // The direction of k across the axis, but for its sign: E turned back for o, E for e.
+        const double ea = dot(E, f.a), eb = dot(E, f.b);
+        const double ua = extraordinary ? ea : -eb, ub = extraordinary ? eb : ea;
         const double size = norm2(ua, ub);
         if (size > 0) {
             // A vanishing k across the axis keeps its direction.
-            const double least = std::max(across, 1e-100);
-            ka = least * ua / size;
-            kb = least * ub / size;
+            const double along = ua * ka + ub * kb;
+            const double forward =
+                across > noise * std::abs(kc) ? along : (extraordinary ? -kc : 1.0);
+            const double least = std::copysign(std::max(across, 1e-100), forward) / size;
+            ka = least * ua;
+            kb = least * ub;
         }
     }
     const double a2 = ka * ka + kb * kb;
@@ -164,43 +160,55 @@ inline bool merging(const FaceMedium& m, double sign) {
 }
 
 /// Where o and e are both evanescent they can coincide (k across the axis of the form (1, +-i)).
-/// The combination of the incoming pair that stays independent there, scaled by the vanishing
-/// component: with w = ka + i kb, v = ka - i kb and e+- = a +- i b, the ordinary field is (v e+ - w
-/// e-) / 2.
-inline LocalWave<Complex> independent_partner(const FaceMedium& m, double sign) {
-    const CrystalFrame& f = m.crystal;
-    const double K = m.kt;
-    const Complex q = signed_root<Complex>(m.q_o2, sign), flow = signed_root<Complex>(m.w2, sign);
-    const Complex q_e = (flow - m.cross_term()) / m.eps_g();
-    const Complex D = m.eps_g() * q + flow + m.cross_term();
-    const Complex ka = K * f.a.x + q * f.a.z, kb = K * f.b.x + q * f.b.z;
-    Complex small = ka + i_unit * kb, large = ka - i_unit * kb;
-    Complex turn = i_unit;
-    if (std::abs(small) > std::abs(large)) {
-        std::swap(small, large);
-        turn = -i_unit;
+/// This pair spans the same fields and stays independent there. With w = ka + i kb, v = ka - i kb
+/// and e+- = a +- i b, the ordinary field is (v e+ - w e-) / 2, and the partner is the combination
+/// of o and e in which the larger circular part cancels, divided by the component that vanishes:
+///   ordinary = o_factor E_o,   small partner = e_factor E_e + mix ordinary.
+struct MergedPair {
+    LocalWave<Complex> ordinary, partner;
+    Complex small, mix, o_factor;
+    double e_factor;
+
+    MergedPair(const FaceMedium& m, double sign) {
+        const CrystalFrame& f = m.crystal;
+        const CrystalPair<Complex> pair(m, sign);
+        const Complex ka = m.kt * f.a.x + pair.q_o * f.a.z, kb = m.kt * f.b.x + pair.q_o * f.b.z;
+        small = ka + i_unit * kb;
+        Complex large = ka - i_unit * kb;
+        Complex turn = i_unit;
+        if (std::abs(small) > std::abs(large)) {
+            std::swap(small, large);
+            turn = -i_unit;
+        }
+        const Complex n_small = f.a.z + turn * f.b.z, n_large = f.a.z - turn * f.b.z;
+        const CVec3 e_small = complexified(f.a) - turn * complexified(f.b);
+        const CVec3 e_large = complexified(f.a) + turn * complexified(f.b);
+        const Complex step_over_small = m.delta() * large / pair.divisor;
+        const Complex omega = 1.0 + step_over_small * n_small;
+        const Complex large_e = large + step_over_small * small * n_large;
+        const Complex kc = m.kt * f.c.x + pair.q_e_direct * f.c.z;
+        mix = kc / m.eps_o * large_e / large;
+        const CVec3 o = 0.5 * (large * e_large - small * e_small);
+        const CVec3 p = (-0.5 * kc / m.eps_o * (omega + large_e / large)) * e_small +
+                        (omega * large_e / m.eps_e) * complexified(f.c);
+        set_fields(ordinary, m.kt, pair.q_o, o);
+        // H = k_e x partner - mix (q_e - q_o) / small N x ordinary.
+        set_fields(partner, m.kt, pair.q_e_direct, p);
+        const Complex lag = mix * step_over_small;
+        partner.hx += lag * o.y;
+        partner.hy -= lag * o.x;
+        o_factor = -turn * norm2(ka, kb);
+        e_factor = length(small * p - mix * o);
+        if (std::abs(small) < 1e-150) small = 1e-150;
     }
-    // N and the fields in the basis that belongs to `turn`; the mirrored case is the conjugate
-    // basis.
-    const Complex n_small = f.a.z + turn * f.b.z, n_large = f.a.z - turn * f.b.z;
-    const CVec3 e_small = complexified(f.a) - turn * complexified(f.b);
-    const CVec3 e_large = complexified(f.a) + turn * complexified(f.b);
-    const Complex step_over_small = m.delta() * large / D;
-    const Complex step = step_over_small * small;
-    const Complex omega = 1.0 + step_over_small * n_small;
-    const Complex large_e = large + step * n_large;
-    const Complex kc = K * f.c.x + q_e * f.c.z;
-    const Complex g = kc / m.eps_o * large_e / large;
-    const CVec3 partner = (-0.5 * kc / m.eps_o * (omega + large_e / large)) * e_small +
-                          (omega * large_e / m.eps_e) * complexified(f.c);
-    const CVec3 ordinary = 0.5 * (large * e_large - small * e_small);
-    // H = k_e x partner - g (step / small) N x ordinary.
-    LocalWave<Complex> out;
-    set_fields(out, K, q_e, partner);
-    const Complex lag = g * step_over_small;
-    out.hx += lag * ordinary.y;
-    out.hy -= lag * ordinary.x;
-    return out;
-}
+
+    /// Amplitudes of the unit waves o and e from those of this pair. They grow without bound as the
+    /// two waves merge; their sum does not.
+    [[nodiscard]] std::array<Complex, 2> unit_amplitudes(const Complex& of_ordinary,
+                                                         const Complex& of_partner) const {
+        const Complex e = of_partner / small;
+        return {o_factor * (of_ordinary + mix * e), e_factor * e};
+    }
+};
 
 }  // namespace icespar

@@ -30,27 +30,28 @@ struct Facet {
     double area = 0;
 };
 
-/// A closed convex polyhedron. Facets are ordered as the planes they came from, planes that coincide
-/// being one facet (with the first's name).
+/// A closed convex polyhedron. Facets are ordered as the planes they came from, planes that
+/// coincide being one facet (with the first's name).
 struct Stone {
     std::vector<Facet> facets;
     std::vector<Vec3> vertices;
     double volume = 0;
-    std::vector<std::string> unreached;  ///< names (or "facet 7") of planes that do not touch the stone
+    std::vector<std::string>
+        unreached;  ///< names (or "facet 7") of planes that do not touch the stone
 
     /// Exact arithmetic on the doubles given. Planes whose unit normals differ by up to 1e-9, and
     /// whose distances from within the stone by up to 1e-9 of themselves, coincide. Facets narrower
-    /// than 1e-7 of the stone (area over longest diagonal) come from rounding in design files: their
-    /// planes are left out as unreached, unless that would change the volume by 1e-6. Edges may be as
-    /// short as rounding. Throws Error when a number is not finite, a normal is 0, the half-spaces
-    /// have no common interior (which: named), or the stone is not closed (the message names
-    /// directions that are open).
+    /// than 1e-7 of the stone (area over longest diagonal) come from rounding in design files:
+    /// their planes are left out as unreached, unless that would change the volume by 1e-6. Edges
+    /// may be as short as rounding. Throws Error when a number is not finite, a normal is 0, the
+    /// half-spaces have no common interior (which: named), or the stone is not closed (the message
+    /// names directions that are open).
     static Stone from_planes(std::span<const FacetPlane> planes);
 
-    /// The convex hull of the points. Neighbouring triangles that lie in one plane to within 1e-6 of
-    /// the hull's size are one facet, whose plane touches the points from outside. Facets are ordered
-    /// by the numbers of their corners in `points`, and have no names. Throws Error when a number is
-    /// not finite or all points lie in one plane.
+    /// The convex hull of the points. Neighbouring triangles that lie in one plane to within 1e-6
+    /// of the hull's size are one facet, whose plane touches the points from outside. Facets are
+    /// ordered by the numbers of their corners in `points`, and have no names. Throws Error when a
+    /// number is not finite or all points lie in one plane.
     static Stone from_points(std::span<const Vec3> points);
 
     /// The stone moved by t. A mirroring transform keeps corners counter-clockwise.

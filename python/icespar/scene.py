@@ -48,8 +48,10 @@ def load(
     width, height = _size(size)
     folders = [pathlib.Path(path) for path in allow]
     if isinstance(source, str) and ("\n" in source or "{" in source):
-        core, diagnostics = _core.load_text(source, "text", pathlib.Path(folder), width, height, clock, folders)
+        name = "text"
+        core, diagnostics = _core.load_text(source, name, pathlib.Path(folder), width, height, clock, folders)
     else:
+        name = pathlib.Path(source).name
         core, diagnostics = _core.load_file(pathlib.Path(source), width, height, clock, folders)
     if core is None:
         raise SceneError("\n".join(str(d) for d in diagnostics), diagnostics)
@@ -57,14 +59,15 @@ def load(
         raise SceneError("\n".join(faults), diagnostics)
     for diagnostic in diagnostics:
         warnings.warn(str(diagnostic), SceneWarning, stacklevel=2)
-    return Scene(core)
+    return Scene(core, name)
 
 
 class Scene:
     """A scene that is ready to be rendered. It does not change; load another one to change it."""
 
-    def __init__(self, core: _core.Scene) -> None:
+    def __init__(self, core: _core.Scene, name: str) -> None:
         self._core = core
+        self.name = name  #: the file's name, or "text"
 
     @property
     def title(self) -> str:
@@ -114,6 +117,7 @@ class Scene:
         else:
             with shown(progress) as callback:
                 core, report = _core.render(self._core, progress=callback, **options)
+        core.metadata = core.metadata | {"scene": self.name}
         return Image(core, report)
 
     @overload
@@ -162,7 +166,8 @@ class Scene:
         illuminant at `wavelength_nm`.
         `max_hits` bounds the interface events of a path, the entry (or outer reflection) being the first;
         a branch whose weight is below `threshold` is dropped before it is continued. With
-        `return_dropped` the weight that each ray so lost follows, (N,).
+        `return_dropped` also what the dropped branches would have added under unit unpolarised light from
+        everywhere, (N, 4): in such a furnace both arrays add up to 1, 0, 0, 0.
 
         Raises ValueError, which names the argument and its element, for vectors that are zero or not
         finite, an x_axis along its ray, and shapes that do not broadcast.

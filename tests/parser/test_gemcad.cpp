@@ -77,6 +77,17 @@ TEST_CASE("every index of a tier is a facet at its angle and distance", "[gemcad
     CHECK(design.planes[1].normal.y == 0);
 }
 
+TEST_CASE("the gear's sign and offset turn the facets", "[gemcad]") {
+    const auto normal = [](const std::string& gear) {
+        return read("g " + gear + "\na 90 1 24\n").planes.at(0).normal;
+    };
+    CHECK(normal("96 0.0") == Vec3{1, 0, 0});
+    CHECK(normal("96 96.0") == Vec3{1, 0, 0});
+    CHECK(normal("96 24.0") == Vec3{0, 1, 0});
+    CHECK(normal("-96 48.0") == Vec3{1, 0, 0});
+    CHECK(normal("-96") == Vec3{-1, 0, 0});
+}
+
 TEST_CASE("names belong to the index before them and to those that follow", "[gemcad]") {
     CHECK(names(read(head + "a 40 1 96 n A 24 48 n B 72\n")) ==
           std::vector<std::string>{"A", "A", "B", "B"});

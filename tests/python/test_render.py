@@ -72,6 +72,7 @@ def test_files_are_chosen_by_their_ending(calcite_box, tmp_path):
         image.save(tmp_path / "no_folder" / "a.exr")
     assert sorted(p.name for p in tmp_path.iterdir()) == ["a.PNG", "a.exr"]
     assert {"seed", "samples", "version"} <= image.metadata.keys()
+    assert image.metadata["scene"] == "text"
 
 
 def test_other_threads_run_while_a_picture_is_made(calcite_box):
@@ -114,10 +115,13 @@ def test_an_exception_of_that_function_ends_the_render(calcite_box):
 
 def test_ctrl_c_raises_keyboard_interrupt(calcite_box):
     timer = threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT))
-    timer.start()
     start = time.monotonic()
-    with pytest.raises(KeyboardInterrupt):
-        calcite_box.render(size=(256, 256), time=60, progress=False)
+    timer.start()
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            calcite_box.render(size=(256, 256), time=60, progress=False)
+    finally:
+        timer.cancel()
     assert time.monotonic() - start < 10
 
 

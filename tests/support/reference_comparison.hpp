@@ -13,6 +13,8 @@ namespace icespar::testing {
 struct Quantity {
     std::string name;
     std::vector<double> values;
+    double scale =
+        1;  ///< errors are relative to it: the largest of 1, the values, and what they add up
 };
 
 using Answer = std::vector<Quantity>;
@@ -25,10 +27,9 @@ using Answer = std::vector<Quantity>;
 
 struct Discrepancy {
     std::string quantity;
-    double error = 0;  ///< |core - reference| / max(1, |reference|)
-    double conditioning =
-        0;              ///< change of the reference for one ulp in the worst input tried, likewise
-    double excess = 0;  ///< error / (1e-12 + 50 conditioning); above 1 the core is at fault
+    double error = 0;         ///< |core - reference| / the reference's scale
+    double conditioning = 0;  ///< change of the reference for one ulp in each input tried, likewise
+    double excess = 0;        ///< error / (1e-12 + 50 conditioning); above 1 the core is at fault
 };
 
 /// The quantity of largest excess. Inputs are moved only when some error is above 1e-12, and only

@@ -1,0 +1,121 @@
+// The camera, computed as POV-Ray 3.7 does, so that the same block gives the same view.
+#include <cmath>
+#include <numbers>
+
+#include "parser/builder.hpp"
+
+namespace icespar {
+
+namespace {
+
+struct View {
+    Camera::Kind kind = Camera::Kind::perspective;
+    Vec3 location{0, 0, 0}, direction{0, 0, 1}, right{1.33, 0, 0}, up{0, 1, 0}, sky{0, 1, 0};
+    Vec3 look_at{0, 0, 1};
+    bool looks = false, sized = false;
+    double angle = 0;
+    Transform place{};
+    Place look_place;
+};
+
+View read(const Block& block) {
+    View view;
+    view.look_place = block.place;
+    for (Cursor cursor(block); cursor.more();) {
+        if (const auto t = read_transform(cursor)) {
+            view.place = view.place.then(*t);
+            continue;
+        }
+        const Item& item = cursor.take();
+        const auto vector = [&](std::string_view what) {
+            const Vec3 v = cursor.vector(what);
+            if (!(length(v) > 0))
+                throw Fault{cursor.place(), "'" + std::string(item.word) + "' of length 0", {}};
+            return v;
+        };
+        if (item.word == "perspective") {
+            view.kind = Camera::Kind::perspective;
+        } else if (item.word == "orthographic") {
+            view.kind = Camera::Kind::orthographic;
+        } else if (item.word == "location") {
+            view.location = cursor.vector("a point");
+        } else if (item.word == "look_at") {
+            view.look_at = cursor.vector("a point");
+            view.looks = true;
+            view.look_place = cursor.place();
+        } else if (item.word == "direction") {
+            view.direction = vector("a direction");
+        } else if (item.word == "right" || item.word == "up") {
+            (item.word == "up" ? view.up : view.right) = vector("a direction");
+            view.sized = true;
+        } else if (item.word == "sky") {
+            view.sky = cursor.vector("a direction");
+        } else if (item.word == "angle") {
+            view.angle = cursor.number("an angle of view");
+            if (!(view.angle > 0 && view.angle < 180)) {
+                throw Fault{cursor.place(), "an angle of view lies between 0 and 180 degrees", {}};
+            }
+        } else if (item.kind == Item::Kind::value && item.value.block() &&
+                   (*item.value.block())->word == "camera") {
+            view = read(**item.value.block());
+        } else if (item.kind == Item::Kind::value && !item.value.empty()) {
+            throw Fault{item.place, "unexpected " + kind_of(item.value) + " in 'camera'", {}};
+        } else if (item.word.empty()) {
+            cursor.skip_values();
+        }
+    }
+    return view;
+}
+
+}  // namespace
+
+/// As in POV-Ray the order of the items does not matter: first `angle` sets the size of the view,
+/// then `look_at` turns it and keeps the vectors' lengths, then the transforms move all of it.
+Camera build_camera(const Block& block) {
+    View view = read(block);
+    Vec3 &direction = view.direction, &right = view.right, &up = view.up;
+    const double tangent = std::tan(view.angle * std::numbers::pi / 360);
+    const double distance = length(view.look_at - view.location);
+    if (view.kind == Camera::Kind::perspective) {
+        if (view.angle > 0) direction = normalised(direction) * (length(right) / (2 * tangent));
+    } else if (view.angle > 0 || !view.sized) {
+        // The view is as wide where it looks at as a perspective one would be.
+        const double f =
+            view.angle > 0 ? 2 * tangent * distance / length(right) : distance / length(direction);
+        if (!(f > 0)) throw Fault{view.look_place, "the camera looks at where it stands", {}};
+        right = right * f;
+        up = up * f;
+    }
+    if (view.looks) {
+        if (!(distance > 0))
+            throw Fault{view.look_place, "the camera looks at where it stands", {}};
+        const double along = length(direction), across = length(right), high = length(up);
+        const double handedness = dot(cross(up, direction), right) > 0 ? 1 : -1;
+        const Vec3 forward = (view.look_at - view.location) / distance;
+        Vec3 side = cross(view.sky, forward);
+        if (length(side) < 1e-10) side = right;  // straight along the sky: `right` decides
+        side = normalised(side);
+        const Vec3 above = cross(forward, side);
+        if (length(above) < 1e-10) {
+            throw Fault{view.look_place, "the camera looks along its 'sky' and its 'right'",
+                        "give a 'sky' across the view"};
+        }
+        direction = forward * along;
+        right = side * (handedness * across);
+        up = normalised(above) * high;
+    }
+    Camera camera;
+    camera.kind = view.kind;
+    camera.location = mirrored(view.place.point(view.location));
+    camera.direction = mirrored(view.place.vector(direction));
+    camera.right = mirrored(view.place.vector(right));
+    camera.up = mirrored(view.place.vector(up));
+    if (!(std::abs(dot(cross(camera.right, camera.up), camera.direction)) > 0)) {
+        throw Fault{block.place,
+                    "this camera sees nothing: its right, up and direction lie in a plane",
+                    {}};
+    }
+    return camera;
+}
+
+}  // namespace icespar

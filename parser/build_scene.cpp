@@ -1,0 +1,228 @@
+// The scene's blocks one by one, and its things and stones once all transforms are known.
+#include <algorithm>
+#include <cmath>
+
+#include "math/error.hpp"
+#include "parser/builder.hpp"
+#include "parser/limits.hpp"
+#include "parser/words.hpp"
+
+namespace icespar {
+
+Builder::Builder(const Sources& sources, Diagnostics& diagnostics)
+    : sources_(sources), diagnostics_(diagnostics) {}
+
+void Builder::step(const Place& place) {
+    if (++steps_ > limits::build_steps) {
+        diagnostics_.fatal(place,
+                           "the scene takes more than " + std::to_string(limits::build_steps) +
+                               " steps to build, the bound",
+                           "do declared objects hold each other many times over?");
+    }
+}
+
+void Builder::count_objects(std::size_t more, const Place& place) {
+    objects_ += more;
+    if (objects_ > limits::objects) {
+        diagnostics_.fatal(place, "more than " + std::to_string(limits::objects) +
+                                      " objects, instances counted: the bound");
+    }
+}
+
+Scene Builder::build(const Block& block) {
+    // What global_settings and defaults say holds for the whole scene, wherever it stands.
+    for (const Item& item : block.items) {
+        if (item.kind != Item::Kind::block) continue;
+        if (item.word == "global_settings") guarded([&] { global_settings(*item.block); });
+        if (item.word == "pigment") guarded([&] { defaults_.pigment = pigment(*item.block); });
+        if (item.word == "finish") guarded([&] { defaults_.finish = finish(*item.block); });
+    }
+    scene_.camera = build_camera(Block{"camera", block.place, {}});
+    for (const Item& item : block.items) {
+        step(item.place);
+        guarded([&] {
+            if (item.kind == Item::Kind::word) {
+                if (item.word.empty()) return;
+                throw Fault{item.place, "'" + std::string(item.word) + "' needs '{' after it", {}};
+            }
+            BlockPtr inner = item.block;
+            if (item.kind == Item::Kind::value) {
+                if (item.value.empty()) return;
+                const BlockPtr* declared = item.value.block();
+                if (!declared)
+                    throw Fault{
+                        item.place, kind_of(item.value) + " by itself means nothing here", {}};
+                inner = *declared;
+            }
+            if (item.kind == Item::Kind::entry) {
+                throw Fault{item.place, "'[' means nothing here", {}};
+            }
+            const std::string_view word = inner->word;
+            if (inner->broken) return;
+            if (word == "global_settings" || word == "pigment" || word == "finish") {
+                return;
+            } else if (word == "camera") {
+                scene_.camera = build_camera(*inner);
+            } else if (word == "background") {
+                background(*inner);
+            } else if (word == "sky_sphere") {
+                sky_sphere(*inner);
+            } else if (word == "environment") {
+                environment(*inner);
+            } else if (const auto words = words_in("scene");
+                       std::find(words->begin(), words->end(), word) != words->end()) {
+                for (const Part& part : object(*inner)) guarded([&] { finish_part(part); });
+            } else {
+                throw Fault{item.place,
+                            "a '" + std::string(word) + "' by itself means nothing here",
+                            "put it into an object"};
+            }
+        });
+    }
+    return std::move(scene_);
+}
+
+void Builder::global_settings(const Block& block) {
+    for (Cursor cursor(block); cursor.more();) {
+        const Item& item = cursor.take();
+        if (item.word == "assumed_gamma") {
+            if (cursor.next_is_number() && cursor.number("a gamma") != 1) {
+                diagnostics_.warning(cursor.place(),
+                                     "colours are linear here, as with assumed_gamma 1");
+            }
+        } else if (item.word == "max_trace_level") {
+            scene_.max_trace_level = static_cast<int>(cursor.number("max_trace_level", 1, 100000));
+        } else if (item.word == "ambient_light") {
+            const auto c = cursor.colour("a colour");
+            ambient_light_ = {c[0], c[1], c[2]};
+        } else if (item.word == "unit") {
+            // Lengths matter to absorption and rotation only, which are not rendered yet.
+            if (cursor.next_is(Item::Kind::word)) {
+                cursor.take();
+            } else {
+                (void)cursor.number("a length in millimetres", 1e-9, 1e9);
+            }
+        } else if (item.kind == Item::Kind::value && !item.value.empty()) {
+            throw Fault{
+                item.place, "unexpected " + kind_of(item.value) + " in 'global_settings'", {}};
+        } else if (item.word.empty()) {
+            cursor.skip_values();
+        }
+    }
+}
+
+void Builder::finish_part(const Part& part) {
+    step(part.where);
+    if (part.look.at_fault) return;
+    if (part.kind == Part::Kind::lamp) {
+        Light light = part.light;
+        light.position = mirrored(part.place.point(light.position));
+        light.edge_u = mirrored(part.place.vector(light.edge_u));
+        light.edge_v = mirrored(part.place.vector(light.edge_v));
+        scene_.lights.push_back(std::move(light));
+        return;
+    }
+    const bool clear = !part.look.pigment || part.look.pigment->transparent();
+    if (part.kind == Part::Kind::stone) {
+        if (!part.look.interior) {
+            throw Fault{
+                part.where,
+                part.gem ? "this gem has no interior: of what is it made?"
+                         : "an intersection makes a stone, and this one has no interior",
+                "add interior { crystal { mineral \"quartz\" axis y } }, or interior { ior 1.5 }"};
+        }
+        if (!part.gem && !clear) {
+            throw Fault{part.where, "an intersection with an opaque pigment cannot be rendered",
+                        "make it transparent (rgbt 1), or use 'box'"};
+        }
+        return finish_stone(part, *part.solid);
+    }
+    if (part.look.interior && clear) {
+        if (part.kind != Part::Kind::box) {
+            throw Fault{part.where, "a stone has flat facets: this shape cannot be made of glass",
+                        "use 'hull' with points on it, or an opaque pigment"};
+        }
+        if (!unit_box_) {
+            unit_box_ = std::make_shared<Solid>();
+            for (const double x : {0.0, 1.0}) {
+                for (const double y : {0.0, 1.0}) {
+                    for (const double z : {0.0, 1.0}) unit_box_->points.push_back({x, y, z});
+                }
+            }
+            unit_box_->where = part.where;
+        }
+        return finish_stone(part, *unit_box_);
+    }
+    finish_thing(part);
+}
+
+void Builder::finish_thing(const Part& part) {
+    Thing thing;
+    if (part.kind == Part::Kind::plane) thing.shape = PlaneShape{};
+    if (part.kind == Part::Kind::box) thing.shape = BoxShape{};
+    if (part.kind == Part::Kind::sphere) thing.shape = SphereShape{};
+    thing.to_world = part.place.then(mirror());
+    const std::optional<PigmentLook>& look =
+        part.look.pigment ? part.look.pigment : defaults_.pigment;
+    if (look) {
+        if (look->transparent()) {
+            throw Fault{look->where, "a transparent thing needs an interior with an ior",
+                        "add interior { ior 1.5 }, or use an opaque colour"};
+        }
+        const auto rgb = [](const std::array<double, 5>& c) { return Rgb{c[0], c[1], c[2]}; };
+        thing.pigment.kind = look->kind;
+        thing.pigment.first = reflectance_from_rgb(rgb(look->first));
+        thing.pigment.second = reflectance_from_rgb(rgb(look->second));
+        thing.pigment.line_width = look->line_width;
+        thing.pigment.to_pattern = look->place.then(mirror()).inverse();
+    } else {
+        if (diagnostics_.errors() > 0) return;
+        diagnostics_.warning(part.where, "a thing without pigment is black, as in POV-Ray",
+                             "add pigment { rgb 1 }");
+        thing.pigment.first = Spectrum(0.0);
+    }
+    if (part.look.interior) {
+        diagnostics_.warning(part.look.interior->where,
+                             "the interior of an opaque thing is never seen");
+    }
+    const std::optional<Finish>& surface = part.look.finish ? part.look.finish : defaults_.finish;
+    if (surface) thing.finish = *surface;
+    scene_.things.push_back(std::move(thing));
+}
+
+void Builder::finish_stone(const Part& part, Solid& solid) {
+    if (part.look.pigment && !part.look.pigment->transparent()) {
+        diagnostics_.warning(part.look.pigment->where,
+                             "a gem has no pigment: light goes through it", {}, "gem pigment");
+    } else if (part.look.pigment) {
+        const auto& c = part.look.pigment->first;
+        if (c[3] > 0 && (c[0] != c[1] || c[1] != c[2])) {
+            diagnostics_.warning(part.look.pigment->where,
+                                 "a stone is not coloured by its surface: it is rendered clear", {},
+                                 "gem pigment");
+        }
+    }
+    const Stone* stone = stone_of(solid);
+    if (!stone) return;
+    Gem gem;
+    try {
+        gem.stone = stone->transformed(part.place.then(mirror()));
+    } catch (const Error& error) {
+        throw Fault{part.where, error.what(), {}};
+    }
+    gem.crystal.indices = part.look.interior->indices;
+    const Vec3 axis = mirrored(part.look.interior->axis);
+    if (gem.crystal.birefringent()) {
+        const double size = length(axis);
+        if (!(size > 0) || !std::isfinite(size)) {
+            throw Fault{part.look.interior->where,
+                        "the optic axis is lost in this object's transforms",
+                        {}};
+        }
+        gem.crystal.axis = axis / size;
+    }
+    gem.name = sources_.file_and_line(part.where);
+    scene_.gems.push_back(std::move(gem));
+}
+
+}  // namespace icespar

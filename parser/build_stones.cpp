@@ -1,0 +1,131 @@
+// Stones: gems and intersections, from their shape to the polyhedron.
+#include <algorithm>
+#include <cmath>
+
+#include "math/error.hpp"
+#include "parser/builder.hpp"
+
+namespace icespar {
+
+Part Builder::gem(const Block& block) {
+    Part part;
+    part.kind = Part::Kind::stone;
+    part.gem = true;
+    part.where = block.place;
+    // Instances of one declared gem share its polyhedron.
+    std::shared_ptr<Solid>& known = solids_[&block];
+    const bool first_time = known == nullptr;
+    if (first_time) {
+        known = std::make_shared<Solid>();
+        known->where = block.place;
+    }
+    part.solid = known;
+    Transform place;
+    bool shaped = false;
+    const auto take_shape = [&](const Place& where, auto&& read) {
+        if (shaped)
+            throw Fault{where, "this gem has a shape already",
+                        "a gem has one; use 'intersection' to combine"};
+        shaped = true;
+        if (!first_time) return;
+        try {
+            read();
+        } catch (...) {
+            part.solid->at_fault = true;
+            throw;
+        }
+    };
+    for (Cursor cursor(block); cursor.more();) {
+        if (modifier(cursor, part.look, place)) continue;
+        const Item& item = cursor.take();
+        if (item.word == "design") {
+            const std::string file = cursor.text("the name of a file");
+            take_shape(cursor.place(), [&] { design(cursor.place(), file, *part.solid); });
+        } else if (item.word == "scale_to") {
+            if (!cursor.accept_word("width")) {
+                throw Fault{cursor.place(), "'scale_to' needs 'width' and a length after it", {}};
+            }
+            const double width = cursor.number("a width");
+            if (!(width > 0)) throw Fault{cursor.place(), "the width of a stone is above 0", {}};
+            part.solid->width = width;
+        } else if (const Block* inner = item.kind == Item::Kind::block ? item.block.get()
+                                        : item.value.block()           ? item.value.block()->get()
+                                                                       : nullptr) {
+            take_shape(item.place, [&] { shape(*inner, *part.solid); });
+        } else if (item.kind == Item::Kind::word) {
+            throw Fault{item.place, "'" + std::string(item.word) + "' needs '{' after it", {}};
+        } else {
+            throw Fault{item.place, "unexpected " + kind_of(item.value) + " in 'gem'", {}};
+        }
+    }
+    if (!shaped) {
+        throw Fault{block.place, "this gem has no shape",
+                    "add cut, design, hull, box or intersection"};
+    }
+    if (part.look.interior) part.look.interior->axis = place.vector(part.look.interior->axis);
+    part.place = place;
+    return part;
+}
+
+Part Builder::intersection(const Block& block) {
+    Part part;
+    part.kind = Part::Kind::stone;
+    part.where = block.place;
+    std::shared_ptr<Solid>& known = solids_[&block];
+    const bool first_time = known == nullptr;
+    if (first_time) {
+        known = std::make_shared<Solid>();
+        known->where = block.place;
+    }
+    part.solid = known;
+    Transform place;
+    for (Cursor cursor(block); cursor.more();) {
+        if (modifier(cursor, part.look, place)) continue;
+        const Item& item = cursor.take();
+        const Block* inner = item.kind == Item::Kind::block ? item.block.get()
+                             : item.value.block()           ? item.value.block()->get()
+                                                            : nullptr;
+        if (!inner) throw Fault{item.place, "expected a shape in 'intersection'", {}};
+        if (!first_time) continue;
+        Solid more{{}, {}, {}, inner->place};
+        shape(*inner, more);
+        as_planes(more);
+        part.solid->planes.insert(part.solid->planes.end(), more.planes.begin(), more.planes.end());
+        part.solid->facet_places.merge(more.facet_places);
+    }
+    if (part.look.interior) part.look.interior->axis = place.vector(part.look.interior->axis);
+    part.place = place;
+    return part;
+}
+
+/// The polyhedron, built once; nothing when it cannot be, which is reported once.
+const Stone* Builder::stone_of(Solid& solid) {
+    if (solid.stone) return &*solid.stone;
+    if (solid.at_fault) return nullptr;
+    try {
+        solid.stone = solid.points.empty() ? Stone::from_planes(solid.planes)
+                                           : Stone::from_points(solid.points);
+        for (const std::string& name : solid.stone->unreached) {
+            const auto place = solid.facet_places.find(name);
+            const bool named = place != solid.facet_places.end();
+            diagnostics_.warning(
+                named ? place->second : solid.where,
+                (named ? "facet '" + name + "'" : name) + " does not reach the stone",
+                "is its distance too large?");
+        }
+        if (solid.width) {
+            // girdle_size looks along z; the table of our stones is up, along y.
+            const Transform up_to_z({Vec3{1, 0, 0}, Vec3{0, 0, 1}, Vec3{0, 1, 0}}, Vec3{});
+            const double width = girdle_size(solid.stone->transformed(up_to_z)).width;
+            const double f = *solid.width / width;
+            solid.stone = solid.stone->transformed(Transform::scaling({f, f, f}));
+        }
+        return &*solid.stone;
+    } catch (const Error& error) {
+        solid.at_fault = true;
+        diagnostics_.error(solid.where, error.what());
+        return nullptr;
+    }
+}
+
+}  // namespace icespar

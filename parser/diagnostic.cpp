@@ -1,0 +1,202 @@
+// The form of a message, and the search for the likeliest repair.
+#include "parser/diagnostic.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "parser/limits.hpp"
+
+namespace icespar {
+namespace {
+
+/// Edits (insert, delete, replace, swap neighbours) from a to b, whatever the case.
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+    const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
+    std::vector<std::size_t> before(b.size() + 1), above(b.size() + 1), row(b.size() + 1);
+    std::iota(above.begin(), above.end(), std::size_t{0});
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        row[0] = i;
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            const bool same = lower(a[i - 1]) == lower(b[j - 1]);
+            row[j] = std::min({above[j] + 1, row[j - 1] + 1, above[j - 1] + (same ? 0U : 1U)});
+            if (i > 1 && j > 1 && lower(a[i - 1]) == lower(b[j - 2]) &&
+                lower(a[i - 2]) == lower(b[j - 1])) {
+                row[j] = std::min(row[j], before[j - 2] + 1);
+            }
+        }
+        std::swap(before, above);
+        std::swap(above, row);
+    }
+    return above[b.size()];
+}
+
+constexpr std::size_t widest_line = 110;  // characters of source shown in a message
+
+std::size_t characters(std::string_view text) {
+    return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
+        return (static_cast<unsigned char>(c) & 0xc0) != 0x80;
+    }));
+}
+
+/// Byte offset of the n-th character, from 0.
+std::size_t byte_of(std::string_view text, std::size_t n) {
+    std::size_t i = 0;
+    for (; i < text.size(); ++i) {
+        if ((static_cast<unsigned char>(text[i]) & 0xc0) != 0x80) {
+            if (n == 0) break;
+            --n;
+        }
+    }
+    return i;
+}
+
+}  // namespace
+
+std::string printable(std::string_view text) {
+    std::string out;
+    for (const char c : text.substr(0, 60)) {
+        const auto byte = static_cast<unsigned char>(c);
+        out += byte < 0x20 || byte == 0x7f ? '?' : c;
+    }
+    if (text.size() > 60) out += "...";
+    return out;
+}
+
+std::string_view likeliest(std::string_view word, std::span<const std::string_view> candidates) {
+    if (word.size() > 40) return {};
+    // A third of the word may be wrong, and at least one letter of a word of two.
+    std::size_t best = std::max<std::size_t>(1, word.size() / 3) + 1;
+    std::string_view found;
+    for (const std::string_view candidate : candidates) {
+        const std::size_t distance = edit_distance(word, candidate);
+        if (distance < best && distance < std::max(word.size(), candidate.size())) {
+            best = distance;
+            found = candidate;
+        }
+    }
+    return found;
+}
+
+std::string did_you_mean(std::string_view word, std::span<const std::string_view> candidates) {
+    const std::string_view found = likeliest(word, candidates);
+    return found.empty() ? std::string() : "did you mean '" + std::string(found) + "'?";
+}
+
+std::string listed(std::span<const std::string_view> words) {
+    std::string out;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        if (i > 0) out += i + 1 == words.size() ? " or " : ", ";
+        out += words[i];
+    }
+    return out;
+}
+
+std::string to_string(const Diagnostic& d) {
+    std::string out = d.file;
+    if (d.line > 0) out += ":" + std::to_string(d.line) + ":" + std::to_string(d.column);
+    out += d.severity == Diagnostic::Severity::error ? ": error: " : ": warning: ";
+    out += d.message;
+    if (d.line > 0) {
+        // The line, cut to a window about the caret when it is long.
+        std::string line = d.source_line;
+        for (char& c : line) {
+            if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
+        }
+        auto caret = static_cast<std::size_t>(std::max(0, d.column - 1));
+        if (characters(line) > widest_line) {
+            const std::size_t first = caret > widest_line / 2 ? caret - widest_line / 2 : 0;
+            const std::size_t from = byte_of(line, first);
+            line = line.substr(from, byte_of(line, first + widest_line) - from);
+            caret -= first;
+        }
+        const std::string margin(std::to_string(d.line).size(), ' ');
+        const std::size_t shown = characters(line);
+        auto under = static_cast<std::size_t>(std::max(1, d.length));
+        under = std::max<std::size_t>(1, std::min(under, shown > caret ? shown - caret : 1));
+        out += "\n  " + std::to_string(d.line) + " | " + line;
+        out +=
+            "\n  " + margin + " | " + std::string(caret, ' ') + "^" + std::string(under - 1, '~');
+        if (!d.hint.empty()) out += " " + d.hint;
+    } else if (!d.hint.empty()) {
+        out += "; " + d.hint;
+    }
+    for (const std::string& note : d.notes) out += "\n  " + note;
+    return out;
+}
+
+Diagnostic Diagnostics::at(const Place& place, std::string message, std::string hint) const {
+    Diagnostic d;
+    d.message = std::move(message);
+    d.hint = std::move(hint);
+    d.file = sources_.file(place.file).name;
+    const LineColumn where = sources_.line_column(place.file, place.begin);
+    d.line = where.line;
+    d.column = where.column;
+    d.source_line = std::string(sources_.line(place.file, where.line));
+    const std::string& text = sources_.file(place.file).text;
+    const std::size_t end = std::min<std::size_t>(place.end, text.size());
+    if (end > place.begin) {
+        d.length = static_cast<int>(
+            characters(std::string_view(text).substr(place.begin, end - place.begin)));
+    }
+    int shown = 0;
+    for (std::uint32_t r = place.route; r != 0; r = sources_.route(r).call.route) {
+        const RouteStep& step = sources_.route(r);
+        const LineColumn call = sources_.line_column(step.call.file, step.call.begin);
+        std::string note = (step.kind == RouteStep::Kind::macro
+                                ? "in macro '" + std::string(step.name) + "' called at "
+                                : std::string("included from ")) +
+                           sources_.file(step.call.file).name + ":" + std::to_string(call.line) +
+                           ":" + std::to_string(call.column);
+        // What calls itself is said once.
+        if (!d.notes.empty() && d.notes.back() == note) continue;
+        if (++shown > 8) {
+            d.notes.emplace_back("... and so on up to the scene");
+            break;
+        }
+        d.notes.push_back(std::move(note));
+    }
+    return d;
+}
+
+/// What stands in a loop or a macro is wrong once, however often it is reached.
+bool Diagnostics::is_new(const Place& place, const std::string& message) {
+    return said_
+        .insert(std::to_string(place.file) + ":" + std::to_string(place.begin) + ":" + message)
+        .second;
+}
+
+void Diagnostics::error(const Place& place, std::string message, std::string hint) {
+    if (quiet_ || !is_new(place, message)) return;
+    list_.push_back(at(place, std::move(message), std::move(hint)));
+    if (++errors_ >= limits::errors) throw Stop{};
+}
+
+void Diagnostics::error(std::string file, std::string message) {
+    Diagnostic d;
+    d.file = std::move(file);
+    d.message = std::move(message);
+    list_.push_back(std::move(d));
+    if (++errors_ >= limits::errors) throw Stop{};
+}
+
+void Diagnostics::warning(const Place& place, std::string message, std::string hint,
+                          const std::string& once) {
+    if (quiet_ || warnings_ >= limits::warnings) return;
+    if (!is_new(place, message) || (!once.empty() && !said_.insert(once).second)) return;
+    Diagnostic d = at(place, std::move(message), std::move(hint));
+    d.severity = Diagnostic::Severity::warning;
+    list_.push_back(std::move(d));
+    ++warnings_;
+}
+
+void Diagnostics::fatal(const Place& place, std::string message, std::string hint) {
+    quiet_ = false;
+    if (errors_ < limits::errors) {
+        list_.push_back(at(place, std::move(message), std::move(hint)));
+        ++errors_;
+    }
+    throw Stop{};
+}
+
+}  // namespace icespar

@@ -1,0 +1,75 @@
+// From a file or a text to a scene: parse, build, and look for faults in what was built.
+#include "parser/load.hpp"
+
+#include "math/error.hpp"
+#include "parser/builder.hpp"
+#include "parser/limits.hpp"
+#include "parser/parser.hpp"
+
+namespace icespar {
+namespace {
+
+/// The first line's comment says what the scene shows.
+std::string title_of(std::string_view text) {
+    if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
+    if (!text.starts_with("//")) return {};
+    text = text.substr(2, std::min(text.find_first_of("\r\n"), text.size()) - 2);
+    while (!text.empty() && (text.front() == ' ' || text.front() == '/')) text.remove_prefix(1);
+    return std::string(text);
+}
+
+LoadResult load(std::string_view text, const std::string& name, const std::filesystem::path& folder,
+                const LoadOptions& options) {
+    Sources sources(folder, options.allow);
+    Diagnostics diagnostics(sources);
+    LoadResult result;
+    if (text.size() > limits::file_bytes) {
+        Diagnostic d;
+        d.file = name;
+        d.message = "the scene is larger than " + std::to_string(limits::file_bytes >> 20) +
+                    " MiB, the bound on a file";
+        result.diagnostics.push_back(d);
+        return result;
+    }
+    const std::uint32_t file = sources.add(name, folder, std::string(text));
+    try {
+        Parser parser(sources, diagnostics, options);
+        const BlockPtr tree = parser.parse(file);
+        Scene scene = Builder(sources, diagnostics).build(*tree);
+        scene.title = title_of(text);
+        if (diagnostics.errors() == 0) {
+            for (const std::string& fault : faults(scene)) diagnostics.error(name, fault);
+        }
+        if (diagnostics.errors() == 0) result.scene = std::move(scene);
+    } catch (const Stop&) {
+        // The message that stopped us is among the others.
+    }
+    result.diagnostics = diagnostics.take();
+    return result;
+}
+
+}  // namespace
+
+LoadResult load_scene_text(std::string_view text, const std::string& name,
+                           const std::filesystem::path& folder, const LoadOptions& options) {
+    return load(text, name, folder, options);
+}
+
+LoadResult load_scene_file(const std::filesystem::path& file, const LoadOptions& options) {
+    std::error_code error;
+    const auto text =
+        std::filesystem::is_regular_file(file, error) ? Sources::read(file) : std::nullopt;
+    if (!text) {
+        LoadResult result;
+        Diagnostic d;
+        d.file = file.string();
+        d.message = std::filesystem::exists(file, error)
+                        ? "cannot be read as a scene, or is larger than 64 MiB"
+                        : "there is no such file";
+        result.diagnostics.push_back(d);
+        return result;
+    }
+    return load(*text, file.string(), file.parent_path(), options);
+}
+
+}  // namespace icespar

@@ -1,0 +1,109 @@
+// The stream of tokens that the tree is built from, with directives and macros already carried out.
+#include <algorithm>
+
+#include "parser/limits.hpp"
+#include "parser/parser.hpp"
+
+namespace icespar {
+
+Parser::Nesting::Nesting(Parser& parser, const Place& place) : parser_(parser) {
+    if (parser_.nesting_ >= limits::nesting_depth) {
+        parser_.diagnostics_.fatal(place, "nested deeper than " +
+                                              std::to_string(limits::nesting_depth) +
+                                              " levels, the bound on nesting");
+    }
+    ++parser_.nesting_;
+}
+
+Place Parser::place(const Token& token) const {
+    const Frame& f = frames_.back();
+    return {f.file->file, token.begin, token.end, f.route};
+}
+
+/// A token of the innermost frame without executing anything; the end of a frame is an end token.
+const Token& Parser::raw(std::size_t ahead) const {
+    static constexpr Token end{};
+    const Frame& f = frames_.back();
+    if (f.at + ahead < f.end) return f.file->tokens[f.at + ahead];
+    return f.macro ? end : f.file->tokens[f.end];
+}
+
+void Parser::count_token() {
+    if (++tokens_ > limits::tokens) {
+        diagnostics_.fatal(place(raw()),
+                           "the scene takes more than " + std::to_string(limits::tokens) +
+                               " tokens to read, the bound",
+                           "is a loop or a macro running away?");
+    }
+}
+
+const Token& Parser::peek() {
+    for (;;) {
+        const Token& token = raw();
+        if (frame().at >= frame().end) {
+            if (frames_.size() == 1) return token;
+            pop_frame();
+        } else if (token.kind == tok::directive) {
+            run_directive();
+        } else if (token.kind == tok::word) {
+            const SlotPtr slot =
+                names_[token.index].info.may_be_declared ? find_shared(token.index) : nullptr;
+            if (!slot || !slot->macro) return token;
+            call_macro(slot->macro);
+        } else {
+            return token;
+        }
+    }
+}
+
+const Token& Parser::peek_operator() {
+    if (argument_frame_ == 0) return peek();
+    while (frame().at >= frame().end && frames_.size() > argument_frame_) pop_frame();
+    if (frames_.size() > argument_frame_) return peek();
+    return raw();
+}
+
+Token Parser::next() {
+    const Token token = peek();
+    last_place_ = place(token);
+    if (frame().at < frame().end) ++frame().at;
+    if (token.kind == '{') ++braces_;
+    if (token.kind == '}') --braces_;
+    count_token();
+    return token;
+}
+
+bool Parser::accept(char kind) {
+    if (!peek_is(kind)) return false;
+    next();
+    return true;
+}
+
+Token Parser::expect(char kind, std::string_view what) {
+    const Token& token = peek();
+    if (token.kind != kind) {
+        throw Fault{place(token), "expected " + std::string(what) + ", found " + shown(token), {}};
+    }
+    return next();
+}
+
+std::string Parser::shown(const Token& token) const {
+    if (token.kind == tok::end) return "the end of the file";
+    if (token.kind == tok::bad) return frames_.back().file->strings[token.index];
+    const std::string& text = sources_.file(frames_.back().file->file).text;
+    return "'" + printable(std::string_view(text).substr(token.begin, token.end - token.begin)) +
+           "'";
+}
+
+void Parser::pop_frame() {
+    if (!frame().conditions.empty()) {
+        const Token token = frame().conditions.back().token;
+        const Place where = place(token);
+        const std::string name = names_[token.index].text;
+        frame().conditions.clear();
+        diagnostics_.error(where, "this '#" + name + "' has no '#end'");
+    }
+    frames_.pop_back();
+}
+
+}  // namespace icespar

@@ -1,0 +1,187 @@
+// The words themselves, as data. Only words.cpp reads this.
+#pragma once
+
+#include <string_view>
+
+namespace icespar::word_lists {
+
+inline constexpr std::string_view transforms = "translate rotate scale matrix transform";
+inline constexpr std::string_view modifiers =
+    "pigment finish texture material interior translate rotate scale matrix transform";
+
+struct BlockWords {
+    std::string_view name, words;
+    const std::string_view* modifiers;
+};
+
+inline constexpr BlockWords blocks[] = {
+    {"scene",
+     "global_settings camera light_source environment background sky_sphere plane box sphere gem "
+     "object union merge intersection",
+     nullptr},
+    {"global_settings", "assumed_gamma max_trace_level unit mm cm m um in ambient_light", nullptr},
+    {"camera", "perspective orthographic location look_at right up direction sky angle",
+     &transforms},
+    {"light_source", "area_light fade_distance fade_power illuminant blackbody", &transforms},
+    {"environment", "uniform gradient illuminant blackbody polarised", &transforms},
+    {"polarised", "linear circular right left", nullptr},
+    {"background", "", nullptr},
+    {"sky_sphere", "pigment", &transforms},
+    {"color_map", "", nullptr},
+    {"colour_map", "", nullptr},
+    {"plane", "", &modifiers},
+    {"box", "", &modifiers},
+    {"sphere", "", &modifiers},
+    {"gem", "cut hull box intersection design object scale_to width", &modifiers},
+    {"object", "cut hull box intersection sphere plane gem object union merge inverse", &modifiers},
+    {"union", "plane box sphere gem object union merge intersection light_source split_union",
+     &modifiers},
+    {"merge", "plane box sphere gem object union merge intersection", &modifiers},
+    {"intersection", "plane box cut hull object intersection inverse", &modifiers},
+    {"cut", "gear offset facet", &transforms},
+    {"facet", "angle distance index every from name", nullptr},
+    {"hull", "", &transforms},
+    {"interior", "ior crystal dispersion fade_distance fade_power", nullptr},
+    {"crystal", "mineral indices axis dispersion cauchy sellmeier", nullptr},
+    {"dispersion", "cauchy sellmeier bg", nullptr},
+    {"sellmeier", "", nullptr},
+    {"cauchy", "", nullptr},
+    {"pigment", "checker grid line gradient color_map colour_map", &transforms},
+    {"finish", "diffuse emission ambient", nullptr},
+    {"texture", "pigment finish", &transforms},
+    {"material", "texture interior", &transforms},
+    {"transform", "inverse", &transforms},
+};
+
+/// Words that POV-Ray does not know, so that its scenes may have declared them.
+inline constexpr std::string_view ours =
+    "environment gem cut hull facet gear index every from name design scale_to crystal mineral "
+    "indices axis "
+    "uniform illuminant blackbody polarised linear left unit mm cm m um in grid line bg cauchy "
+    "sellmeier";
+
+/// Words that language.md promises for later; also unknown to POV-Ray.
+inline constexpr std::string_view ours_later =
+    "sheet head image iso cosine sc2 aset idealscope lamps analyser spectrum gaussian abbe "
+    "rotation "
+    "square triangular pavement tiling text_space transform_space ovus ambient_occlusion "
+    "diffuse_exponent";
+
+inline constexpr std::string_view values =
+    "x y z t u v pi tau clock clock_delta clock_on frame_number initial_frame final_frame "
+    "initial_clock "
+    "final_clock image_width image_height version true false on off yes no rgb rgbf rgbt rgbft "
+    "srgb srgbf "
+    "srgbt srgbft color colour red green blue filter transmit gray alpha abs acos acosh asc asin "
+    "asinh atan "
+    "atan2 atanh ceil chr concat cos cosh defined degrees dimension_size dimensions div exp "
+    "file_exists "
+    "floor int ln log max min mod pow radians rand seed select sin sinh sqr sqrt str strcmp strlen "
+    "strlwr "
+    "strupr substr tan tanh val vaxis_rotate vcross vdot vlength vnormalize vrotate vstr array";
+
+inline constexpr std::string_view directives =
+    "version include declare local undef macro end if ifdef ifndef else elseif while for switch "
+    "case range "
+    "break default debug warning error";
+
+struct Advice {
+    std::string_view words, advice;
+};
+
+inline constexpr Advice skipped[] = {
+    {"photons caustics collect target pass_through",
+     "light in stones is always traced in full here"},
+    {"radiosity subsurface translucency ambient_occlusion",
+     "diffuse interreflection is not rendered"},
+    {"phong phong_size specular roughness metallic irid irid_wavelength crand brilliance "
+     "conserve_energy "
+     "reflection reflection_exponent fresnel use_alpha diffuse_exponent",
+     "opaque things are matt; stones reflect by the laws of Fresnel, always"},
+    {"normal bump_map bump_size no_bump_scale normal_map slope_map interior_texture uv_mapping",
+     "surfaces are smooth"},
+    {"media fog rainbow media_attenuation media_interaction", "the air is clear"},
+    {"hollow sturm bounded_by inside_vector split_union max_intersections adc_bailout "
+     "noise_generator "
+     "number_of_waves charset hf_gray_16 mm_per_unit max_gradient accuracy quick_color "
+     "quick_colour open "
+     "precision cutaway_textures",
+     "it changes nothing here"},
+    {"no_shadow no_image no_reflection double_illuminate shadowless looks_like light_group "
+     "global_lights",
+     "everything is seen and casts shadows"},
+    {"adaptive jitter circular orient area_illumination samples confidence variance blur_samples",
+     "area lights are sampled evenly"},
+    {"spotlight parallel point_at radius falloff tightness projected_through",
+     "the lamp shines in all directions"},
+    {"aperture focal_point", "depth of field is not rendered yet"},
+    {"fade_color fade_colour absorption extinction",
+     "absorption is not rendered yet: the stone is clear"},
+    {"dispersion_samples", "every wavelength is traced"},
+    {"rotation", "optical activity is not rendered yet"},
+    {"refraction", "a thing with an ior refracts"},
+};
+
+inline constexpr Advice refused[] = {
+    {"difference", "use 'intersection' of planes, or 'cut', and say which facets are left"},
+    {"isosurface parametric function", "functions are not rendered: use 'hull' with points"},
+    {"blob sphere_sweep superellipsoid torus lathe sor julia_fractal quadric cubic quartic poly "
+     "ovus",
+     "curved shapes other than 'sphere' are not rendered"},
+    {"bicubic_patch height_field prism polygon text smooth_triangle text_space",
+     "use 'box', 'sphere' or 'plane' around the stone, 'hull' for stones"},
+    {"cylinder cone disc triangle mesh mesh2 polygon",
+     "not rendered yet: use 'box', 'sphere' or 'plane' around the stone, 'hull' with the corners "
+     "for a stone"},
+    {"sheet", "filters are not rendered yet"},
+    {"clipped_by", "use 'intersection' for stones"},
+    {"image_map image_pattern material_map pigment_map texture_map texture_list pigment_pattern "
+     "bump_map",
+     "pictures on surfaces are not rendered yet: use a colour, 'checker' or 'grid'"},
+    {"agate average boxed bozo brick bumps cells crackle cylindrical density_file dents facets "
+     "granite "
+     "hexagon leopard mandel julia marble onion planar quilted radial ripples spherical spiral1 "
+     "spiral2 "
+     "spotted tiling waves wood wrinkles slope object_pattern square triangular pavement",
+     "use a plain colour, 'checker' or 'grid'"},
+    {"turbulence warp frequency phase ramp_wave triangle_wave sine_wave scallop_wave cubic_wave "
+     "poly_wave",
+     "patterns cannot be bent: use a plain colour, 'checker' or 'grid'"},
+    {"fisheye ultra_wide_angle omnimax panoramic mesh_camera analyser",
+     "use 'perspective' or 'orthographic'"},
+    {"spline b_spline linear_spline quadratic_spline cubic_spline natural_spline",
+     "splines are not there yet: compute the value with '#for' or an array"},
+    {"image iso cosine sc2 aset idealscope head lamps",
+     "not rendered yet: use 'uniform' or 'gradient'"},
+    {"spectrum gaussian abbe", "not read yet: use 'cauchy' or 'sellmeier', or an rgb colour"},
+    {"fopen fclose read write render statistics", "a scene reads no data and writes no files"},
+    {"trace inside min_extent max_extent vturbulence eval_pigment transform_space",
+     "shapes cannot be asked questions here"},
+};
+
+/// Reserved by POV-Ray; nobody may declare them.
+inline constexpr std::string_view others =
+    "aa_level aa_threshold agate_turb all all_intersections altitude always_sample anisotropy "
+    "append "
+    "arc_angle ascii assumed autostop b_spline bezier_spline black_hole blur brick_size brightness "
+    "component composite conic_sweep contained_by control0 control1 coords count cubic_spline "
+    "density "
+    "density_map df3 dist_exp eccentricity error_bound evaluate expand_thresholds exponent "
+    "exterior "
+    "face_indices fade_distance fade_power falloff_angle flatness flip fog_alt fog_offset fog_type "
+    "form "
+    "gather gif gray_threshold hierarchy hypercomplex iff include inside internal interpolate "
+    "intervals "
+    "jpeg lambda linear_sweep load_file low_error_factor magnet major_radius map_type max_extent "
+    "max_iteration max_sample max_trace method metric minimum_reuse mortar nearest_count "
+    "normal_indices "
+    "normal_vectors octaves offset omega once orientation pattern pgm planar png pot ppm "
+    "precompute "
+    "pretrace_end pretrace_start prod pwr quaternion range ratio reciprocal recursion_limit repeat "
+    "save_file scattering size slice smooth solid spacing strength sum sys tga thickness threshold "
+    "tiff "
+    "tile2 tiles tolerance toroidal ttf turb_depth type u_steps use_color use_colour use_index "
+    "utf8 "
+    "uv_indices uv_vectors v_steps vertex_vectors water_level width";
+
+}  // namespace icespar::word_lists
