@@ -56,7 +56,8 @@ void GeneralSolver::solve(Interface& out, const FaceFrame& frame, const Wave& in
     store(out.transmitted_, far);
     for (std::size_t m = 0; m < 2; ++m) {
         if (m != given && !isotropic) continue;
-        out.flux_in_[m] = normal_flux(source[m]);
+        out.flux_in_[m] =
+            near.incident_flux > 0 && m == given ? near.incident_flux : normal_flux(source[m]);
         const auto r = matched(far.rows, near.basis, source[m], -1);
         const auto t = matched(near.rows, far.basis, source[m], 1);
         out.reflect_[m] = near.amplitudes(r);

@@ -242,9 +242,11 @@ void HalfSpace::plain(const Medium& medium, const FaceFrame& face, int sign, con
         flux[i] = sign * out[i].flux;
         propagating[i] = out[i].propagating;
     }
+    incident_flux = known ? std::abs(in[mode].flux) : 0;
     if (merging(m, sign)) {
-        out[1] = independent_partner(m, sign);
-        in[1] = independent_partner(m, -sign);
+        const MergedPair away(m, sign), towards(m, -sign);
+        out = {away.ordinary, away.partner};
+        in = {towards.ordinary, towards.partner};
     }
     set_basis({as_field(out[0]), as_field(out[1])});
     rows = {dual(as_field(in[0])), dual(as_field(in[1]))};
@@ -353,6 +355,10 @@ bool HalfSpace::tensor(const Medium& medium, const FaceFrame& face, const Comple
         const T exact = cast<T>(Complex(*known / scale));
         adopt(f, exact, factors);
     }
+    if (separate_grazing(b, square, f, factors, scale, sign, known, medium.absorbing)) {
+        order_by_sheet(sign, !medium.absorbing);
+        return true;
+    }
     const Plane<T> plane(spanning_columns(evaluate(factors.second, b.d, square)));
     const auto annihilators = spanning_columns(transposed(evaluate(factors.first, b.d, square)));
 
@@ -434,10 +440,15 @@ bool HalfSpace::tensor(const Medium& medium, const FaceFrame& face, const Comple
         propagating[i] = !transparent || solved || std::abs(q[i].imag()) < 1e-10 * scale;
         flux[i] = propagating[i] ? s * normal_flux(psi[i]) : 0;
     }
+    order_by_sheet(sign, transparent);
+    return true;
+}
+
+void HalfSpace::order_by_sheet(int sign, bool transparent) {
     // Slow: the outer sheet. A line along the normal meets it outside the inner one; where only one
     // wave propagates it is the outer one.
     const auto outer = [&](std::size_t i) {
-        if (transparent && propagating[0] && propagating[1]) return s * q[i].real();
+        if (transparent && propagating[0] && propagating[1]) return sign * q[i].real();
         if (transparent && propagating[0] != propagating[1]) return propagating[i] ? 1.0 : 0.0;
         return (q[i] * q[i]).real();
     };
@@ -450,6 +461,154 @@ bool HalfSpace::tensor(const Medium& medium, const FaceFrame& face, const Comple
         propagating[0] = propagating[1];
         propagating[1] = first;
     }
+}
+
+template <class T>
+bool HalfSpace::separate_grazing(const Berreman<T>& b, const Matrix4<T>& square,
+                                 const Quartic<T>& f, const Factors<T>& factors, double scale,
+                                 int sign, const Complex* known, bool absorbing) {
+    auto out = roots(factors.first), in = roots(factors.second);
+    std::size_t a = 0, c = 0;
+    for (std::size_t i = 0; i < two; ++i) {
+        for (std::size_t j = 0; j < two; ++j) {
+            if (std::abs(out[i] - in[j]) < std::abs(out[a] - in[c])) a = i, c = j;
+        }
+    }
+    // out[1] and in[1] are the pair that meets.
+    if (a == 0) std::swap(out[0], out[1]);
+    if (c == 0) std::swap(in[0], in[1]);
+    const double gap = std::abs(out[1] - in[1]);
+    const double others = std::min({std::abs(out[0] - out[1]), std::abs(out[0] - in[1]),
+                                    std::abs(in[0] - out[1]), std::abs(in[0] - in[1])});
+    if (gap > 0.2 * others) return false;
+
+    const auto nearest = [](std::array<Complex, 2> found, Complex& x, Complex& y) {
+        if (std::abs(found[0] - x) + std::abs(found[1] - y) >
+            std::abs(found[1] - x) + std::abs(found[0] - y)) {
+            std::swap(found[0], found[1]);
+        }
+        x = found[0];
+        y = found[1];
+    };
+    const auto refine = [&](auto type) {
+        using S = decltype(type);
+        const Quartic<S> g{cast<S>(Complex(f.c3)), cast<S>(Complex(f.c2)), cast<S>(Complex(f.c1)),
+                           cast<S>(Complex(f.c0))};
+        Factors<S> pairs{{cast<S>(-(out[0] + in[0])), cast<S>(out[0] * in[0])},
+                         {cast<S>(-(out[1] + in[1])), cast<S>(out[1] * in[1])}};
+        if (!polish(g, pairs)) return;
+        nearest(roots(pairs.first), out[0], in[0]);
+        nearest(roots(pairs.second), out[1], in[1]);
+    };
+    if (known) {
+        const Complex exact = *known / scale;
+        if (std::abs(in[0] - exact) < std::abs(in[1] - exact)) {
+            in[0] = exact;
+        } else {
+            in[1] = exact;
+        }
+    } else if (absorbing) {
+        refine(Complex{});
+    } else {
+        refine(double{});
+    }
+
+    using Matrix = Matrix4<Complex>;
+    Matrix d, d2;
+    for (std::size_t i = 0; i < 4; ++i) {
+        for (std::size_t j = 0; j < 4; ++j) {
+            d[i][j] = b.d[i][j];
+            d2[i][j] = square[i][j];
+        }
+    }
+    const auto outer = Quadratic<Complex>::from_roots(out[0], in[0]),
+               inner = Quadratic<Complex>::from_roots(out[1], in[1]);
+    // The eigenvector of `root`, alone; `rest` is the root beside it in the outer pair.
+    const auto alone = [&](const Matrix& m, const Matrix& m2, const Complex& rest) {
+        Matrix shifted = m;
+        for (std::size_t i = 0; i < 4; ++i) shifted[i][i] -= rest;
+        const Matrix w = product(shifted, evaluate(inner, m, m2));
+        Field4 best{};
+        double most = -1;
+        for (std::size_t j = 0; j < 4; ++j) {
+            double size = 0;
+            for (std::size_t i = 0; i < 4; ++i) size += std::norm(w[i][j]);
+            if (size > most) {
+                most = size;
+                best = {w[0][j], w[1][j], w[2][j], w[3][j]};
+            }
+        }
+        return best;
+    };
+    // The pair that meets: in the plane of both, (M - q_other) e is the eigenvector of q, and stays
+    // so where the two become one.
+    struct Meeting {
+        Field4 out, in, e;
+    };
+    const auto meeting = [&](const Matrix& m, const Matrix& m2) {
+        const Plane<Complex> plane(spanning_columns(evaluate(outer, m, m2)));
+        const auto& B = plane.columns;
+        Complex M[2][2];
+        for (std::size_t i = 0; i < two; ++i) {
+            for (std::size_t j = 0; j < two; ++j) M[i][j] = dot4(m[plane.pivot[i]], B[j]);
+        }
+        const auto reach = [&](std::size_t j) {
+            return std::norm(M[0][j] - (j == 0 ? in[1] : 0.0)) +
+                   std::norm(M[1][j] - (j == 1 ? in[1] : 0.0));
+        };
+        const std::size_t j = reach(0) >= reach(1) ? 0 : 1;
+        const auto column = [&](const Complex& other) {
+            const Complex x = M[0][j] - (j == 0 ? other : 0.0),
+                          y = M[1][j] - (j == 1 ? other : 0.0);
+            Field4 v;
+            for (std::size_t i = 0; i < 4; ++i) v[i] = x * B[0][i] + y * B[1][i];
+            return v;
+        };
+        return Meeting{column(in[1]), column(out[1]), B[j]};
+    };
+    const Meeting waves = meeting(d, d2);
+    const Matrix t = transposed(d), t2 = transposed(d2);
+    std::array<Field4, 2> columns{alone(d, d2, in[0]), waves.out};
+    rows = {alone(t, t2, out[0]), meeting(t, t2).in};
+
+    const auto flow = [&](const Field4& x, const Field4& y) {
+        return 0.5 * (std::conj(x[0]) * y[3] + std::conj(x[3]) * y[0] - std::conj(x[1]) * y[2] -
+                      std::conj(x[2]) * y[1]);
+    };
+    const auto z_component = [&](const Field4& v) {
+        Complex ez = 0;
+        for (std::size_t i = 0; i < 4; ++i) ez += b.ez[i] * v[i];
+        return ez;
+    };
+    const auto size2_of = [&](const Field4& v) {
+        return std::norm(v[0]) + std::norm(v[1]) + std::norm(z_component(v));
+    };
+    q = {scale * out[0], scale * out[1]};
+    for (std::size_t i = 0; i < two; ++i) {
+        const Field4& v = columns[i];
+        const double size = std::sqrt(size2_of(v));
+        E[i] = {v[0] / size, v[1] / size, z_component(v) / size};
+        psi[i] = {v[0] / size, v[1] / size, scale / size * v[2], scale / size * v[3]};
+        propagating[i] = absorbing || std::abs(out[i].imag()) < 1e-13;
+        flux[i] = propagating[i] ? sign * normal_flux(psi[i]) : 0;
+    }
+    if (!absorbing && propagating[1]) {
+        // Energy flows of waves that meet vanish as their distance; they are orthogonal, so that
+        // flow(out, out) = flow(out, in + (q_out - q_in) e) = (q_out - q_in) flow(out, e).
+        const double distance = (out[1] - in[1]).real();
+        flux[1] = sign * scale * distance * flow(waves.out, waves.e).real() / size2_of(waves.out);
+        if (known && in[1] == *known / scale) {
+            incident_flux =
+                std::abs(scale * distance * flow(waves.in, waves.e).real() / size2_of(waves.in));
+        }
+    }
+    for (std::size_t j = 0; j < two; ++j) {
+        for (std::size_t i = 2; i < 4; ++i) {
+            columns[j][i] *= scale;
+            rows[j][i] /= scale;
+        }
+    }
+    set_basis(columns);
     return true;
 }
 

@@ -25,6 +25,8 @@ struct HalfSpace {
     std::array<Field4, 2> psi;
     std::array<double, 2> flux;  ///< along the outgoing direction; 0 when evanescent
     std::array<bool, 2> propagating;
+    double incident_flux =
+        0;  ///< of the known wave with |E| = 1, where it is known precisely; or 0
 
     /// Waves that carry energy (or decay) along sign * normal for the tangential wave number K.
     /// `known` is the normal component of a wave of mode `mode` that carries energy the other way.
@@ -46,6 +48,13 @@ private:
     bool tensor(const Medium& medium, const FaceFrame& face, const Complex& K, int sign,
                 const Complex* known);
 
+    /// Where an outgoing and an incoming wave nearly meet (grazing, critical), the other two are
+    /// kept apart from them, since they do not share their sensitivity. False when none meet.
+    template <class T>
+    bool separate_grazing(const Berreman<T>& b, const Matrix4<T>& square, const Quartic<T>& f,
+                          const Factors<T>& factors, double scale, int sign, const Complex* known,
+                          bool absorbing);
+    void order_by_sheet(int sign, bool transparent);
     void set_mode(std::size_t i, const Complex& K, const Complex& normal_component,
                   const CVec3& field, double sign);
     void set_basis(std::array<Field4, 2> columns);
