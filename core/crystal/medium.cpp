@@ -76,10 +76,13 @@ Medium biaxial_from(const ComplexTensor& eps, bool absorbing) {
     m.birefringent = true;
     m.symmetry = Symmetry::biaxial;
     m.absorbing = absorbing;
-    m.tensor = eps;
-    const PrincipalAxes p = principal_axes(real(eps));
+    m.mean = eps.yy;
+    m.deviation = eps + ComplexTensor::diagonal(-eps.yy, -eps.yy, -eps.yy);
+    const PrincipalAxes p = principal_axes(real(m.deviation));
     m.principal = p.axes;
-    for (std::size_t i = 0; i < 3; ++i) m.n_principal[i] = std::sqrt(std::max(p.values[i], 0.0));
+    for (std::size_t i = 0; i < 3; ++i) {
+        m.n_principal[i] = std::sqrt(std::max(m.mean.real() + p.values[i], 0.0));
+    }
     m.n_o = m.n_principal[0];
     m.n_e = m.n_principal[2];
     return m;
@@ -135,15 +138,15 @@ Medium Medium::biaxial(const std::array<Complex, 3>& n, const Vec3& first, const
     std::sort(order.begin(), order.end(),
               [&](std::size_t i, std::size_t j) { return n[i].real() < n[j].real(); });
     const Complex middle = n[order[1]];
-    ComplexTensor eps = ComplexTensor::diagonal(middle * middle, middle * middle, middle * middle);
-    for (const std::size_t i : {order[0], order[2]}) {
-        eps = eps + ((n[i] - middle) * (n[i] + middle)) * complexified(dyad(axes[i]));
-    }
     Medium m;
+    m.mean = middle * middle;
+    for (const std::size_t i : {order[0], order[2]}) {
+        const Complex difference = (n[i] - middle) * (n[i] + middle);
+        m.deviation = m.deviation + difference * complexified(dyad(axes[i]));
+    }
     m.birefringent = true;
     m.symmetry = Symmetry::biaxial;
     for (const Complex& index : n) m.absorbing = m.absorbing || index.imag() > 0;
-    m.tensor = eps;
     for (std::size_t i = 0; i < 3; ++i) {
         m.n_principal[i] = n[order[i]].real();
         m.principal[i] = axes[order[i]];
@@ -212,7 +215,9 @@ Medium Medium::from_tensor(const std::array<std::array<Complex, 3>, 3>& eps) {
 }
 
 ComplexTensor Medium::permittivity() const {
-    if (symmetry == Symmetry::biaxial) return tensor;
+    if (symmetry == Symmetry::biaxial) {
+        return ComplexTensor::diagonal(mean, mean, mean) + deviation;
+    }
     const Complex o = eps_o();
     const Complex difference =
         Complex(n_e - n_o, kappa_e - kappa_o) * Complex(n_e + n_o, kappa_e + kappa_o);

@@ -16,7 +16,7 @@ enum class Symmetry { isotropic, uniaxial, biaxial };
 /// and conserve energy when eps is real.
 ///
 /// eps is n_o^2 I + (n_e^2 - n_o^2) axis axis^T with complex indices n + i kappa, unless the medium
-/// is biaxial: then it is `tensor`, which need not have principal axes when it absorbs.
+/// is biaxial: then it is mean I + deviation, which need not have principal axes when it absorbs.
 ///
 /// alpha = gyration (I - axis axis^T) + gyration_along axis axis^T. Along the axis only `gyration`
 /// acts (E and H lie across it): the circular waves have n_L = n_o + gyration, n_R = n_o -
@@ -32,7 +32,8 @@ struct Medium {
     bool absorbing = false;
     double kappa_o = 0, kappa_e = 0;
     double gyration = 0, gyration_along = 0;
-    ComplexTensor tensor{};               ///< biaxial media only
+    Complex mean = 1;                     ///< biaxial media only
+    ComplexTensor deviation{};            ///< biaxial media only, precise where it is small
     std::array<double, 3> n_principal{};  ///< biaxial: rising; of Re eps when it absorbs
     std::array<Vec3, 3> principal{};      ///< biaxial: unit axes of n_principal
 

@@ -70,8 +70,12 @@ void GeneralSolver::solve(Interface& out, const FaceFrame& frame, const Wave& in
 }
 
 void GeneralSolver::add_totals(const Interface& face, std::size_t m, Coefficients& out) {
-    out.reflected_total = face.reflected_flux_[m];
-    out.transmitted_total = face.transmitted_flux_[m];
+    // The waves of a transparent medium carry their energy independently.
+    out.reflected_total = face.from_.absorbing ? face.reflected_flux_[m]
+                                               : out.reflected_power[0] + out.reflected_power[1];
+    out.transmitted_total = face.to_.absorbing
+                                ? face.transmitted_flux_[m]
+                                : out.transmitted_power[0] + out.transmitted_power[1];
     // The z components from Maxwell's equations: n . D = -K Hy and n . B = K Ey.
     const auto field = [&](const std::array<Complex, 4>& f, const Medium& medium, CVec3& E,
                            CVec3& H) {

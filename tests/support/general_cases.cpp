@@ -73,6 +73,10 @@ reference::Material MediumRecipe::material() const {
     m.epsilon_o = square(n[0]);
     std::array<Cplx, 3> e{square(n[0]), square(n[1]), square(n[2])};
     if (symmetry == Symmetry::isotropic) e = {e[0], e[0], e[0]};
+    if (symmetry == Symmetry::biaxial && n[0] == n[1] && n[0] == n[2] && skew == Complex(0)) {
+        for (std::size_t i = 0; i < 3; ++i) m.epsilon[i][i] = e[0];
+        return m;
+    }
     if (symmetry == Symmetry::uniaxial) e = {e[1], e[0], e[0]};
     RealVector b{Real(second.x), Real(second.y), Real(second.z)};
     if (symmetry != Symmetry::biaxial) {
