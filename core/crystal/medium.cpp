@@ -120,10 +120,6 @@ Medium Medium::uniaxial(Complex n_o, Complex n_e, const Vec3& axis) {
     return m;
 }
 
-Medium Medium::biaxial(const std::array<double, 3>& n, const Vec3& first, const Vec3& second) {
-    return biaxial(std::array<Complex, 3>{n[0], n[1], n[2]}, first, second);
-}
-
 Medium Medium::biaxial(const std::array<Complex, 3>& n, const Vec3& first, const Vec3& second) {
     for (const Complex& index : n) require_index(index, "a principal index");
     const Vec3 x = unit_axis(first, "the first principal axis");

@@ -48,7 +48,6 @@ struct Medium {
     /// Principal indices in any order along `first`, `second` and their vector product. Throws
     /// Error for axes that are not perpendicular within 1e-6; equal indices are allowed and the
     /// medium stays biaxial: its modes are fast and slow.
-    static Medium biaxial(const std::array<double, 3>& n, const Vec3& first, const Vec3& second);
     static Medium biaxial(const std::array<Complex, 3>& n, const Vec3& first, const Vec3& second);
     /// A uniaxial crystal that turns the polarisation of light along its axis by
     /// `rotation_deg_per_mm` at `wavelength_nm`, positive: clockwise for the receiver.

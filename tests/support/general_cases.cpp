@@ -279,7 +279,6 @@ bool draw(GeneralCase& c, Random& random, GeneralStress stress) {
             for (MediumRecipe* m : {&c.from, &c.to}) {
                 if (m->symmetry != Symmetry::biaxial) continue;
                 m->n[1] = m->n[0];
-                if (random.uniform() < 0.5) m->n[2] = m->n[0];
             }
             break;
         case GeneralStress::strong_biaxiality:
