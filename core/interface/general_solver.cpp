@@ -39,6 +39,17 @@ void GeneralSolver::solve(Interface& out, const FaceFrame& frame, const Wave& in
     };
     std::array<Field4, 2> source{};
     source[given] = tangential(incident.E, incident.H);
+    if (near.incident_field) {
+        // In the phase of the field given.
+        Complex overlap = 0;
+        for (std::size_t i = 0; i < 4; ++i) {
+            overlap += std::conj((*near.incident_field)[i]) * source[given][i];
+        }
+        const double size = std::abs(overlap);
+        for (std::size_t i = 0; i < 4 && size > 0; ++i) {
+            source[given][i] = overlap / size * (*near.incident_field)[i];
+        }
+    }
     const bool isotropic = out.from_.symmetry == Symmetry::isotropic && !out.from_.active();
     if (isotropic) {
         const Complex size = std::sqrt(std::norm(kn) + std::norm(out.kt_));

@@ -103,15 +103,6 @@ std::array<Vector4<T>, 2> spanning_columns(const Matrix4<T>& m) {
 }
 
 template <class T>
-Matrix4<T> transposed(const Matrix4<T>& m) {
-    Matrix4<T> out;
-    for (std::size_t i = 0; i < 4; ++i) {
-        for (std::size_t j = 0; j < 4; ++j) out[i][j] = m[j][i];
-    }
-    return out;
-}
-
-template <class T>
 T dot4(const Vector4<T>& a, const Vector4<T>& b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
 }
@@ -298,6 +289,15 @@ void HalfSpace::set_basis(std::array<Field4, 2> columns) {
     const Plane<Complex> plane(columns);
     basis = plane.columns;
     pivot = plane.pivot;
+    std::size_t row = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+        if (i == pivot[0] || i == pivot[1]) continue;
+        rows[row] = {};
+        rows[row][i] = 1;
+        rows[row][pivot[0]] = -basis[0][i];
+        rows[row][pivot[1]] = -basis[1][i];
+        ++row;
+    }
 }
 
 void HalfSpace::plain(const Medium& medium, const FaceFrame& face, int sign, const Complex* known,
@@ -387,10 +387,8 @@ void HalfSpace::uniaxial(const Medium& medium, const FaceFrame& face, const Comp
         medium.permittivity().in_frame(face.x, face.y, face.z), {}, false};
     const Berreman<Complex> b(local, K);
     const auto square = product(b.d, b.d);
-    const auto in = Quadratic<Complex>::from_roots(o_in, e_in),
-               out = Quadratic<Complex>::from_roots(o_out, e_out);
+    const auto in = Quadratic<Complex>::from_roots(o_in, e_in);
     set_basis(spanning_columns(evaluate(in, b.d, square)));
-    rows = spanning_columns(transposed(evaluate(out, b.d, square)));
 }
 
 template <class T>
@@ -442,7 +440,6 @@ bool HalfSpace::tensor(const Medium& medium, const FaceFrame& face, const Comple
         }
     }
     if (!weak) plane = Plane<T>(spanning_columns(evaluate(factors.second, b.d, square)));
-    const auto annihilators = spanning_columns(transposed(evaluate(factors.first, b.d, square)));
 
     // D on the subspace, in the basis that is the identity on the pivots.
     std::array<std::array<T, 2>, 2> M;
@@ -496,20 +493,8 @@ bool HalfSpace::tensor(const Medium& medium, const FaceFrame& face, const Comple
     }
     if (!solved) modes = general_eigen(M[0][0], M[0][1], M[1][0], M[1][1]);
 
-    for (std::size_t i = 0; i < 4; ++i) {
-        const double unit = i < 2 ? 1 : scale;
-        for (std::size_t j = 0; j < two; ++j) {
-            basis[j][i] = unit * B[j][i];
-            rows[j][i] = annihilators[j][i] / unit;
-        }
-    }
-    // The identity again on the pivots, whose fields may now be in other units.
-    pivot = plane.pivot;
-    for (std::size_t j = 0; j < two; ++j) {
-        const double unit = pivot[j] < 2 ? 1 : scale;
-        for (std::size_t i = 0; i < 4; ++i) basis[j][i] = basis[j][i] / unit;
-        basis[j][pivot[j]] = 1;
-    }
+    set_basis({Field4{B[0][0], B[0][1], scale * B[0][2], scale * B[0][3]},
+               Field4{B[1][0], B[1][1], scale * B[1][2], scale * B[1][3]}});
     for (std::size_t i = 0; i < two; ++i) {
         Vector4<Complex> v;
         Complex ez = 0;
@@ -624,41 +609,55 @@ bool HalfSpace::separate_grazing(const Berreman<T>& b, const Matrix4<T>& square,
         }
         return best;
     };
-    // The pair that meets: in the plane of both, (M - q_other) e is the eigenvector of q, and stays
-    // so where the two become one.
-    struct Meeting {
-        Field4 out, in, e;
+    // The pair that meets, in the plane of both: (M - q_other) e is the eigenvector of q, and stays
+    // so where the two become one. Beside an optic axis M, not the quartic, knows their distance.
+    const Plane<Complex> plane(spanning_columns(evaluate(outer, d, d2)));
+    const auto& B = plane.columns;
+    Complex M[2][2];
+    for (std::size_t i = 0; i < two; ++i) {
+        for (std::size_t j = 0; j < two; ++j) M[i][j] = dot4(d[plane.pivot[i]], B[j]);
+    }
+    const bool exact = known && in[1] == *known / scale;
+    if (exact) {
+        out[1] = M[0][0] + M[1][1] - in[1];
+        if (!absorbing) out[1] = out[1].real();
+    } else {
+        const Complex half = 0.5 * (M[0][0] - M[1][1]), mean = 0.5 * (M[0][0] + M[1][1]);
+        const Complex square_root = half * half + M[0][1] * M[1][0];
+        const Complex root = std::sqrt(absorbing ? square_root : Complex(square_root.real()));
+        const Complex middle = absorbing ? mean : Complex(mean.real());
+        out[1] = middle + root;
+        in[1] = middle - root;
+    }
+    const auto reach = [&](std::size_t j) {
+        return std::norm(M[0][j] - (j == 0 ? in[1] : 0.0)) +
+               std::norm(M[1][j] - (j == 1 ? in[1] : 0.0));
     };
-    const auto meeting = [&](const Matrix& m, const Matrix& m2) {
-        const Plane<Complex> plane(spanning_columns(evaluate(outer, m, m2)));
-        const auto& B = plane.columns;
-        Complex M[2][2];
-        for (std::size_t i = 0; i < two; ++i) {
-            for (std::size_t j = 0; j < two; ++j) M[i][j] = dot4(m[plane.pivot[i]], B[j]);
-        }
-        const auto reach = [&](std::size_t j) {
-            return std::norm(M[0][j] - (j == 0 ? in[1] : 0.0)) +
-                   std::norm(M[1][j] - (j == 1 ? in[1] : 0.0));
-        };
-        const std::size_t j = reach(0) >= reach(1) ? 0 : 1;
-        const auto column = [&](const Complex& other) {
-            const Complex x = M[0][j] - (j == 0 ? other : 0.0),
-                          y = M[1][j] - (j == 1 ? other : 0.0);
-            Field4 v;
-            for (std::size_t i = 0; i < 4; ++i) v[i] = x * B[0][i] + y * B[1][i];
-            return v;
-        };
-        return Meeting{column(in[1]), column(out[1]), B[j]};
+    const std::size_t j = reach(0) >= reach(1) ? 0 : 1;
+    const auto column = [&](const Complex& other) {
+        const Complex x = M[0][j] - (j == 0 ? other : 0.0), y = M[1][j] - (j == 1 ? other : 0.0);
+        Field4 v;
+        for (std::size_t i = 0; i < 4; ++i) v[i] = x * B[0][i] + y * B[1][i];
+        return std::norm(x) + std::norm(y) > 0 ? v : B[0];
     };
-    const Meeting waves = meeting(d, d2);
-    const Matrix t = transposed(d), t2 = transposed(d2);
-    std::array<Field4, 2> columns{alone(d, d2, in[0]), waves.out};
-    rows = {alone(t, t2, out[0]), meeting(t, t2).in};
-
+    Field4 leaving = column(in[1]), arriving = column(out[1]);
     const auto flow = [&](const Field4& x, const Field4& y) {
         return 0.5 * (std::conj(x[0]) * y[3] + std::conj(x[3]) * y[0] - std::conj(x[1]) * y[2] -
                       std::conj(x[2]) * y[1]);
     };
+    if (!exact) {
+        // Decay and energy flow have the same sign; which of the two shows depends on the case.
+        const auto outward = [&](const Field4& v, const Complex& root) {
+            const double size =
+                std::norm(v[0]) + std::norm(v[1]) + std::norm(v[2]) + std::norm(v[3]);
+            return sign * (root.imag() + flow(v, v).real() / size);
+        };
+        if (outward(leaving, out[1]) < outward(arriving, in[1])) {
+            std::swap(leaving, arriving);
+            std::swap(out[1], in[1]);
+        }
+    }
+    std::array<Field4, 2> columns{alone(d, d2, in[0]), leaving};
     const auto z_component = [&](const Field4& v) {
         Complex ez = 0;
         for (std::size_t i = 0; i < 4; ++i) ez += b.ez[i] * v[i];
@@ -680,17 +679,19 @@ bool HalfSpace::separate_grazing(const Berreman<T>& b, const Matrix4<T>& square,
         // Energy flows of waves that meet vanish as their distance; they are orthogonal, so that
         // flow(out, out) = flow(out, in + (q_out - q_in) e) = (q_out - q_in) flow(out, e).
         const double distance = (out[1] - in[1]).real();
-        flux[1] = sign * scale * distance * flow(waves.out, waves.e).real() / size2_of(waves.out);
-        if (known && in[1] == *known / scale) {
-            incident_flux =
-                std::abs(scale * distance * flow(waves.in, waves.e).real() / size2_of(waves.in));
-        }
+        const double unit = scale * distance;
+        flux[1] = std::abs(unit * flow(leaving, B[j]).real() / size2_of(leaving));
+        if (exact)
+            incident_flux = std::abs(unit * flow(arriving, B[j]).real() / size2_of(arriving));
     }
-    for (std::size_t j = 0; j < two; ++j) {
-        for (std::size_t i = 2; i < 4; ++i) {
-            columns[j][i] *= scale;
-            rows[j][i] /= scale;
-        }
+    if (exact) {
+        const double size = std::sqrt(size2_of(arriving));
+        incident_field = {arriving[0] / size, arriving[1] / size, scale / size * arriving[2],
+                          scale / size * arriving[3]};
+    }
+    for (Field4& v : columns) {
+        v[2] *= scale;
+        v[3] *= scale;
     }
     set_basis(columns);
     return true;

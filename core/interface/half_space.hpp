@@ -25,8 +25,9 @@ struct HalfSpace {
     std::array<Field4, 2> psi;
     std::array<double, 2> flux;  ///< along the outgoing direction; 0 when evanescent
     std::array<bool, 2> propagating;
-    double incident_flux =
-        0;  ///< of the known wave with |E| = 1, where it is known precisely; or 0
+    /// Of the known wave with |E| = 1, where k alone says them better than its given field does.
+    double incident_flux = 0;
+    std::optional<Field4> incident_field;
 
     /// Waves that carry energy (or decay) along sign * normal for the tangential wave number K.
     /// `known` is the normal component of a wave of mode `mode` that carries energy the other way.
