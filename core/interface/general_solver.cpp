@@ -31,14 +31,14 @@ void GeneralSolver::solve(Interface& out, const FaceFrame& frame, const Wave& in
     out.kt_ = out.from_.absorbing ? K : Complex(frame.kt);
     const Complex kn = dot(incident.k, frame.z);
     const std::size_t given = mode_index(incident.mode);
-    const HalfSpace near(out.from_, frame, out.kt_, -1, &kn, given);
-    const HalfSpace far(out.to_, frame, out.kt_, +1, nullptr, 0);
-
     const auto tangential = [&](const CVec3& E, const CVec3& H) {
         return Field4{dot(E, frame.x), dot(E, frame.y), dot(H, frame.x), dot(H, frame.y)};
     };
     std::array<Field4, 2> source{};
     source[given] = tangential(incident.E, incident.H);
+    const Arriving known{kn, given, source[given]};
+    const HalfSpace near(out.from_, frame, out.kt_, -1, &known);
+    const HalfSpace far(out.to_, frame, out.kt_, +1, nullptr);
     if (near.incident_field) {
         // In the phase of the field given.
         Complex overlap = 0;

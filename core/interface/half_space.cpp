@@ -264,13 +264,13 @@ Field4 as_field(const LocalWave<Complex>& w) { return {w.E.x, w.E.y, w.hx, w.hy}
 }  // namespace
 
 HalfSpace::HalfSpace(const Medium& medium, const FaceFrame& face, const Complex& K, int sign,
-                     const Complex* known, std::size_t mode) {
+                     const Arriving* known) {
     if (medium.plain() && K.imag() == 0) {
-        plain(medium, face, sign, known, mode);
+        plain(medium, face, sign, known);
     } else if (medium.symmetry == Symmetry::isotropic && !medium.active()) {
         isotropic(medium.eps_o(), K, sign, known);
     } else if (medium.symmetry == Symmetry::uniaxial && !medium.active()) {
-        uniaxial(medium, face, K, sign, known, mode);
+        uniaxial(medium, face, K, sign, known);
     } else if (medium.absorbing || medium.active() || K.imag() != 0 ||
                !tensor<double>(medium, face, K, sign, known)) {
         tensor<Complex>(medium, face, K, sign, known);
@@ -300,10 +300,10 @@ void HalfSpace::set_basis(std::array<Field4, 2> columns) {
     }
 }
 
-void HalfSpace::plain(const Medium& medium, const FaceFrame& face, int sign, const Complex* known,
-                      std::size_t mode) {
+void HalfSpace::plain(const Medium& medium, const FaceFrame& face, int sign,
+                      const Arriving* known) {
     FaceMedium m(medium, face);
-    if (known) m.adopt(known->real(), medium.birefringent && mode == 1);
+    if (known) m.adopt(known->q.real(), medium.birefringent && known->mode == 1);
     auto out = waves_towards<Complex>(m, sign), in = waves_towards<Complex>(m, -sign);
     for (std::size_t i = 0; i < 2; ++i) {
         q[i] = out[i].q;
@@ -312,7 +312,7 @@ void HalfSpace::plain(const Medium& medium, const FaceFrame& face, int sign, con
         flux[i] = sign * out[i].flux;
         propagating[i] = out[i].propagating;
     }
-    incident_flux = known ? std::abs(in[mode].flux) : 0;
+    incident_flux = known ? std::abs(in[known->mode].flux) : 0;
     if (merging(m, sign)) {
         const MergedPair away(m, sign), towards(m, -sign);
         out = {away.ordinary, away.partner};
@@ -322,11 +322,11 @@ void HalfSpace::plain(const Medium& medium, const FaceFrame& face, int sign, con
     rows = {dual(as_field(in[0])), dual(as_field(in[1]))};
 }
 
-void HalfSpace::isotropic(const Complex& eps, const Complex& K, int sign, const Complex* known) {
+void HalfSpace::isotropic(const Complex& eps, const Complex& K, int sign, const Arriving* known) {
     const double s = sign;
     Complex qs;
     if (known) {
-        qs = -*known;
+        qs = -known->q;
     } else {
         const Complex n = std::sqrt(eps);
         qs = std::sqrt(n - K) * std::sqrt(n + K);
@@ -345,7 +345,7 @@ void HalfSpace::isotropic(const Complex& eps, const Complex& K, int sign, const 
 }
 
 void HalfSpace::uniaxial(const Medium& medium, const FaceFrame& face, const Complex& K, int sign,
-                         const Complex* known, std::size_t mode) {
+                         const Arriving* known) {
     const Vec3 c = face.to_face(medium.axis);
     const CrystalFrame crystal(c);
     const Complex eo = medium.eps_o(), ee = medium.eps_e();
@@ -368,8 +368,8 @@ void HalfSpace::uniaxial(const Medium& medium, const FaceFrame& face, const Comp
     const Complex w2 = eo * (eg * (ee - K * K) - delta * (c.x * c.x) * K * K);
     const Complex w = decaying(std::sqrt(w2), -X, eg);
     Complex o_out = qo_root, o_in = -qo_root, e_out = (w - X) / eg, e_in = (-w - X) / eg;
-    if (known && mode == 0) o_in = *known, o_out = -*known;
-    if (known && mode == 1) e_in = *known, e_out = -2.0 * X / eg - *known;
+    if (known && known->mode == 0) o_in = known->q, o_out = -known->q;
+    if (known && known->mode == 1) e_in = known->q, e_out = -2.0 * X / eg - known->q;
 
     propagating = {true, true};
     const auto across = [&](const Complex& kn, const Vec3& a) { return K * a.x + kn * a.z; };
@@ -393,7 +393,7 @@ void HalfSpace::uniaxial(const Medium& medium, const FaceFrame& face, const Comp
 
 template <class T>
 bool HalfSpace::tensor(const Medium& medium, const FaceFrame& face, const Complex& K_given,
-                       int sign, const Complex* known) {
+                       int sign, const Arriving* known) {
     constexpr bool is_real = std::is_same_v<T, double>;
     // Lengths of k in units of a mean index, fields in its impedance: all of order 1.
     const ComplexTensor eps_full = medium.permittivity().in_frame(face.x, face.y, face.z);
@@ -420,7 +420,7 @@ bool HalfSpace::tensor(const Medium& medium, const FaceFrame& face, const Comple
         if (!directed_factors(start, K, sign, f, factors)) return false;
     }
     if (known) {
-        const T exact = cast<T>(Complex(*known / scale));
+        const T exact = cast<T>(Complex(known->q / scale));
         adopt(f, exact, factors);
     }
     if (separate_grazing(b, square, f, factors, scale, sign, known, medium.absorbing)) {
@@ -535,7 +535,7 @@ void HalfSpace::order_by_sheet(int sign, bool transparent) {
 template <class T>
 bool HalfSpace::separate_grazing(const Berreman<T>& b, const Matrix4<T>& square,
                                  const Quartic<T>& f, const Factors<T>& factors, double scale,
-                                 int sign, const Complex* known, bool absorbing) {
+                                 int sign, const Arriving* known, bool absorbing) {
     auto out = roots(factors.first), in = roots(factors.second);
     std::size_t a = 0, c = 0;
     for (std::size_t i = 0; i < two; ++i) {
@@ -570,7 +570,7 @@ bool HalfSpace::separate_grazing(const Berreman<T>& b, const Matrix4<T>& square,
         nearest(roots(pairs.second), out[1], in[1]);
     };
     if (known) {
-        const Complex exact = *known / scale;
+        const Complex exact = known->q / scale;
         if (std::abs(in[0] - exact) < std::abs(in[1] - exact)) {
             in[0] = exact;
         } else {
@@ -617,7 +617,7 @@ bool HalfSpace::separate_grazing(const Berreman<T>& b, const Matrix4<T>& square,
     for (std::size_t i = 0; i < two; ++i) {
         for (std::size_t j = 0; j < two; ++j) M[i][j] = dot4(d[plane.pivot[i]], B[j]);
     }
-    const bool exact = known && in[1] == *known / scale;
+    const bool exact = known && in[1] == known->q / scale;
     if (exact) {
         out[1] = M[0][0] + M[1][1] - in[1];
         if (!absorbing) out[1] = out[1].real();
@@ -645,7 +645,22 @@ bool HalfSpace::separate_grazing(const Berreman<T>& b, const Matrix4<T>& square,
         return 0.5 * (std::conj(x[0]) * y[3] + std::conj(x[3]) * y[0] - std::conj(x[1]) * y[2] -
                       std::conj(x[2]) * y[1]);
     };
-    if (!exact) {
+    double incident = 0, returned = 0;  // energy flows of `arriving` and `leaving`
+    if (exact && !absorbing) {
+        // What leaves beside the given wave is orthogonal to it in the energy flow, an indefinite
+        // form on this plane; its own flow is that of the given wave times the determinant.
+        const Complex x = known->field[plane.pivot[0]] / (plane.pivot[0] < 2 ? 1 : scale),
+                      y = known->field[plane.pivot[1]] / (plane.pivot[1] < 2 ? 1 : scale);
+        const double p = flow(B[0], B[0]).real(), r = flow(B[1], B[1]).real();
+        const Complex o = flow(B[0], B[1]);
+        const Complex fx = p * x + o * y, fy = std::conj(o) * x + r * y;
+        for (std::size_t i = 0; i < 4; ++i) {
+            arriving[i] = x * B[0][i] + y * B[1][i];
+            leaving[i] = -std::conj(fy) * B[0][i] + std::conj(fx) * B[1][i];
+        }
+        incident = std::abs((std::conj(x) * fx + std::conj(y) * fy).real());
+        returned = std::abs(p * r - std::norm(o)) * incident;
+    } else if (!exact) {
         // Decay and energy flow have the same sign; which of the two shows depends on the case.
         const auto outward = [&](const Field4& v, const Complex& root) {
             const double size =
@@ -676,15 +691,17 @@ bool HalfSpace::separate_grazing(const Berreman<T>& b, const Matrix4<T>& square,
         flux[i] = propagating[i] ? sign * normal_flux(psi[i]) : 0;
     }
     if (!absorbing && propagating[1]) {
-        // Energy flows of waves that meet vanish as their distance; they are orthogonal, so that
-        // flow(out, out) = flow(out, in + (q_out - q_in) e) = (q_out - q_in) flow(out, e).
-        const double distance = (out[1] - in[1]).real();
-        const double unit = scale * distance;
-        flux[1] = std::abs(unit * flow(leaving, B[j]).real() / size2_of(leaving));
-        if (exact)
-            incident_flux = std::abs(unit * flow(arriving, B[j]).real() / size2_of(arriving));
+        if (exact) {
+            flux[1] = scale * returned / size2_of(leaving);
+            incident_flux = scale * incident / size2_of(arriving);
+        } else {
+            // Energy flows of waves that meet vanish as their distance; they are orthogonal, so
+            // that flow(out, out) = flow(out, in + (q_out - q_in) e) = (q_out - q_in) flow(out, e).
+            const double distance = (out[1] - in[1]).real();
+            flux[1] = std::abs(scale * distance * flow(leaving, B[j]).real() / size2_of(leaving));
+        }
     }
-    if (exact) {
+    if (exact && !absorbing) {
         const double size = std::sqrt(size2_of(arriving));
         incident_field = {arriving[0] / size, arriving[1] / size, scale / size * arriving[2],
                           scale / size * arriving[3]};

@@ -12,6 +12,14 @@ namespace icespar {
 
 using Field4 = Vector4<Complex>;  ///< Ex, Ey, Hx, Hy in the face's frame
 
+/// An incident wave: its normal component, more precise than anything worked out from the
+/// tangential one at grazing incidence, its place in the pair of modes, and its tangential field.
+struct Arriving {
+    Complex q;
+    std::size_t mode;
+    Field4 field;
+};
+
 struct HalfSpace {
     /// Spans the outgoing tangential fields; the identity on the two components `pivot`.
     std::array<Field4, 2> basis;
@@ -25,14 +33,15 @@ struct HalfSpace {
     std::array<Field4, 2> psi;
     std::array<double, 2> flux;  ///< along the outgoing direction; 0 when evanescent
     std::array<bool, 2> propagating;
-    /// Of the known wave with |E| = 1, where k alone says them better than its given field does.
+    /// Of the known wave: its flux where it is known more precisely than its field tells, or 0; its
+    /// field in the plane of the waves it nearly meets.
     double incident_flux = 0;
     std::optional<Field4> incident_field;
 
     /// Waves that carry energy (or decay) along sign * normal for the tangential wave number K.
-    /// `known` is the normal component of a wave of mode `mode` that carries energy the other way.
+    /// `known` is a wave of this medium that carries energy the other way, or null.
     HalfSpace(const Medium& medium, const FaceFrame& face, const Complex& K, int sign,
-              const Complex* known, std::size_t mode);
+              const Arriving* known);
 
     /// Amplitudes of the modes in an outgoing field given by its coefficients in `basis`.
     [[nodiscard]] std::array<Complex, 2> amplitudes(
@@ -40,20 +49,19 @@ struct HalfSpace {
     [[nodiscard]] Field4 field(const std::array<Complex, 2>& coefficients) const;
 
 private:
-    void plain(const Medium& medium, const FaceFrame& face, int sign, const Complex* known,
-               std::size_t mode);
-    void isotropic(const Complex& eps, const Complex& K, int sign, const Complex* known);
+    void plain(const Medium& medium, const FaceFrame& face, int sign, const Arriving* known);
+    void isotropic(const Complex& eps, const Complex& K, int sign, const Arriving* known);
     void uniaxial(const Medium& medium, const FaceFrame& face, const Complex& K, int sign,
-                  const Complex* known, std::size_t mode);
+                  const Arriving* known);
     template <class T>
     bool tensor(const Medium& medium, const FaceFrame& face, const Complex& K, int sign,
-                const Complex* known);
+                const Arriving* known);
 
     /// Where an outgoing and an incoming wave nearly meet (grazing, critical), the other two are
     /// kept apart from them, since they do not share their sensitivity. False when none meet.
     template <class T>
     bool separate_grazing(const Berreman<T>& b, const Matrix4<T>& square, const Quartic<T>& f,
-                          const Factors<T>& factors, double scale, int sign, const Complex* known,
+                          const Factors<T>& factors, double scale, int sign, const Arriving* known,
                           bool absorbing);
     void order_by_sheet(int sign, bool transparent);
     void set_mode(std::size_t i, const Complex& K, const Complex& normal_component,
