@@ -421,11 +421,12 @@ bool HalfSpace::tensor(const Medium& medium, const FaceFrame& face, const Comple
     }
     if (known) {
         const T exact = cast<T>(Complex(known->q / scale));
+        if constexpr (is_real) {
+            // Four crossings of the outer sheet: the pairs are not the upper and the lower two.
+            const auto& in = factors.second;
+            if (std::abs((exact + in.b) * exact + in.c) > 1e-8) return false;
+        }
         adopt(f, exact, factors);
-    }
-    if (separate_grazing(b, square, f, factors, scale, sign, known, medium.absorbing)) {
-        order_by_sheet(sign, !medium.absorbing);
-        return true;
     }
     Plane<T> plane;
     double shift = 0;  // M is D on the plane less shift
@@ -464,6 +465,10 @@ bool HalfSpace::tensor(const Medium& medium, const FaceFrame& face, const Comple
     const bool both = transparent && p > 0 && r > 0 && det > (is_real ? 0 : 1e-8) * p * r;
     if constexpr (is_real) {
         if (!both) return false;
+    }
+    if (separate_grazing(b, square, f, factors, scale, sign, known, medium.absorbing)) {
+        order_by_sheet(sign, !medium.absorbing);
+        return true;
     }
     Eigen2<Complex> modes;
     bool solved = false;
@@ -688,18 +693,11 @@ bool HalfSpace::separate_grazing(const Berreman<T>& b, const Matrix4<T>& square,
         E[i] = {v[0] / size, v[1] / size, z_component(v) / size};
         psi[i] = {v[0] / size, v[1] / size, scale / size * v[2], scale / size * v[3]};
         propagating[i] = absorbing || std::abs(out[i].imag()) < 1e-13;
-        flux[i] = propagating[i] ? sign * normal_flux(psi[i]) : 0;
+        flux[i] = propagating[i] ? std::max(sign * normal_flux(psi[i]), 0.0) : 0;
     }
-    if (!absorbing && propagating[1]) {
-        if (exact) {
-            flux[1] = scale * returned / size2_of(leaving);
-            incident_flux = scale * incident / size2_of(arriving);
-        } else {
-            // Energy flows of waves that meet vanish as their distance; they are orthogonal, so
-            // that flow(out, out) = flow(out, in + (q_out - q_in) e) = (q_out - q_in) flow(out, e).
-            const double distance = (out[1] - in[1]).real();
-            flux[1] = std::abs(scale * distance * flow(leaving, B[j]).real() / size2_of(leaving));
-        }
+    if (exact && !absorbing) {
+        flux[1] = scale * returned / size2_of(leaving);
+        incident_flux = scale * incident / size2_of(arriving);
     }
     if (exact && !absorbing) {
         const double size = std::sqrt(size2_of(arriving));

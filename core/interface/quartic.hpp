@@ -153,7 +153,7 @@ void adopt(const Quartic<T>& f, const T& known, Factors<T>& g) {
     // (t^2 + b t + c)(t + e) = t^3 + h2 t^2 + h1 t + h0 with t = q - known.
     T b = g.first.b + 2.0 * known, c = (known + g.first.b) * known + g.first.c;
     T e = g.second.b + 2.0 * known;
-    for (int i = 0; i < 4; ++i) {
+    for (int i = 0; i < 20; ++i) {
         const T r2 = h2 - (b + e), r1 = h1 - (c + b * e), r0 = h0 - c * e;
         const T det = e * (b - e) - c;
         const T db = (r0 - c * r2 - e * (r1 - b * r2)) / det;

@@ -123,7 +123,8 @@ void align(Solved& s, const Solved& model) {
         const auto& to = model.modes[side];
         const auto cost = [&](std::size_t a, std::size_t b) {
             return distance(m[a].k, to[0].k) + distance(m[b].k, to[1].k) +
-                   length(m[a].ray - to[0].ray) + length(m[b].ray - to[1].ray);
+                   length(m[a].ray - to[0].ray) + length(m[b].ray - to[1].ray) +
+                   1e-9 * (distance(m[a].field, to[0].field) + distance(m[b].field, to[1].field));
         };
         if (cost(1, 0) < cost(0, 1)) std::swap(m[0], m[1]);
     }
