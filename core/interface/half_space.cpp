@@ -282,7 +282,7 @@ void HalfSpace::set_mode(std::size_t i, const Complex& K, const Complex& normal_
     q[i] = normal_component;
     E[i] = field / length(field);
     psi[i] = {E[i].x, E[i].y, -q[i] * E[i].y, q[i] * E[i].x - K * E[i].z};
-    flux[i] = propagating[i] ? sign * normal_flux(psi[i]) : 0;
+    flux[i] = propagating[i] ? std::max(sign * normal_flux(psi[i]), 0.0) : 0;
 }
 
 void HalfSpace::set_basis(std::array<Field4, 2> columns) {
@@ -512,7 +512,7 @@ bool HalfSpace::tensor(const Medium& medium, const FaceFrame& face, const Comple
         E[i] = {v[0] / size, v[1] / size, ez / size};
         psi[i] = {v[0] / size, v[1] / size, scale / size * v[2], scale / size * v[3]};
         propagating[i] = !transparent || solved || std::abs(q[i].imag()) < 1e-10 * scale;
-        flux[i] = propagating[i] ? s * normal_flux(psi[i]) : 0;
+        flux[i] = propagating[i] ? std::max(s * normal_flux(psi[i]), 0.0) : 0;
     }
     order_by_sheet(sign, transparent);
     return true;
@@ -622,55 +622,73 @@ bool HalfSpace::separate_grazing(const Berreman<T>& b, const Matrix4<T>& square,
     for (std::size_t i = 0; i < two; ++i) {
         for (std::size_t j = 0; j < two; ++j) M[i][j] = dot4(d[plane.pivot[i]], B[j]);
     }
-    const bool exact = known && in[1] == known->q / scale;
-    if (exact) {
-        out[1] = M[0][0] + M[1][1] - in[1];
-        if (!absorbing) out[1] = out[1].real();
-    } else {
-        const Complex half = 0.5 * (M[0][0] - M[1][1]), mean = 0.5 * (M[0][0] + M[1][1]);
-        const Complex square_root = half * half + M[0][1] * M[1][0];
-        const Complex root = std::sqrt(absorbing ? square_root : Complex(square_root.real()));
-        const Complex middle = absorbing ? mean : Complex(mean.real());
-        out[1] = middle + root;
-        in[1] = middle - root;
-    }
-    const auto reach = [&](std::size_t j) {
-        return std::norm(M[0][j] - (j == 0 ? in[1] : 0.0)) +
-               std::norm(M[1][j] - (j == 1 ? in[1] : 0.0));
-    };
-    const std::size_t j = reach(0) >= reach(1) ? 0 : 1;
-    const auto column = [&](const Complex& other) {
-        const Complex x = M[0][j] - (j == 0 ? other : 0.0), y = M[1][j] - (j == 1 ? other : 0.0);
-        Field4 v;
-        for (std::size_t i = 0; i < 4; ++i) v[i] = x * B[0][i] + y * B[1][i];
-        return std::norm(x) + std::norm(y) > 0 ? v : B[0];
-    };
-    Field4 leaving = column(in[1]), arriving = column(out[1]);
     const auto flow = [&](const Field4& x, const Field4& y) {
         return 0.5 * (std::conj(x[0]) * y[3] + std::conj(x[3]) * y[0] - std::conj(x[1]) * y[2] -
                       std::conj(x[2]) * y[1]);
     };
+    // M = middle + N; without loss the flow's form times N is Hermitian, which rounding must not
+    // spoil where N itself is but rounding.
+    Complex middle = 0.5 * (M[0][0] + M[1][1]);
+    if (!absorbing) middle = middle.real();
+    Complex N[2][2] = {{M[0][0] - middle, M[0][1]}, {M[1][0], M[1][1] - middle}};
+    const double p = flow(B[0], B[0]).real(), r = flow(B[1], B[1]).real();
+    const Complex o = flow(B[0], B[1]);
+    const double form = p * r - std::norm(o);
+    if (!absorbing) {
+        const double w0 = (p * N[0][0] + o * N[1][0]).real(),
+                     w1 = (std::conj(o) * N[0][1] + r * N[1][1]).real();
+        const Complex w =
+            0.5 * (p * N[0][1] + o * N[1][1] + std::conj(std::conj(o) * N[0][0] + r * N[1][0]));
+        N[0][0] = (r * w0 - o * std::conj(w)) / form;
+        N[0][1] = (r * w - o * w1) / form;
+        N[1][0] = (p * std::conj(w) - std::conj(o) * w0) / form;
+        N[1][1] = (p * w1 - std::conj(o) * w) / form;
+        const Complex rest = 0.5 * (N[0][0] + N[1][1]);
+        N[0][0] -= rest;
+        N[1][1] -= rest;
+    }
+    const bool exact = known && in[1] == known->q / scale;
+    Complex root;  // q_out - middle
+    if (exact) {
+        root = middle - in[1];
+        if (!absorbing) root = root.real();
+    } else {
+        const Complex half = 0.5 * (N[0][0] - N[1][1]),
+                      square_root = half * half + N[0][1] * N[1][0];
+        root = std::sqrt(absorbing ? square_root : Complex(square_root.real()));
+        in[1] = middle - root;
+    }
+    out[1] = middle + root;
+    const std::size_t j = std::norm(N[0][0] + root) + std::norm(N[1][0]) >=
+                                  std::norm(N[0][1]) + std::norm(N[1][1] + root)
+                              ? 0
+                              : 1;
+    const auto column = [&](const Complex& shift) {
+        const Complex x = N[0][j] + (j == 0 ? shift : 0.0), y = N[1][j] + (j == 1 ? shift : 0.0);
+        Field4 v;
+        for (std::size_t i = 0; i < 4; ++i) v[i] = x * B[0][i] + y * B[1][i];
+        return std::norm(x) + std::norm(y) > 0 ? v : B[j];
+    };
+    Field4 leaving = column(root), arriving = column(-root);
     double incident = 0, returned = 0;  // energy flows of `arriving` and `leaving`
     if (exact && !absorbing) {
         // What leaves beside the given wave is orthogonal to it in the energy flow, an indefinite
         // form on this plane; its own flow is that of the given wave times the determinant.
         const Complex x = known->field[plane.pivot[0]] / (plane.pivot[0] < 2 ? 1 : scale),
                       y = known->field[plane.pivot[1]] / (plane.pivot[1] < 2 ? 1 : scale);
-        const double p = flow(B[0], B[0]).real(), r = flow(B[1], B[1]).real();
-        const Complex o = flow(B[0], B[1]);
         const Complex fx = p * x + o * y, fy = std::conj(o) * x + r * y;
         for (std::size_t i = 0; i < 4; ++i) {
             arriving[i] = x * B[0][i] + y * B[1][i];
             leaving[i] = -std::conj(fy) * B[0][i] + std::conj(fx) * B[1][i];
         }
         incident = std::abs((std::conj(x) * fx + std::conj(y) * fy).real());
-        returned = std::abs(p * r - std::norm(o)) * incident;
+        returned = std::abs(form) * incident;
     } else if (!exact) {
         // Decay and energy flow have the same sign; which of the two shows depends on the case.
-        const auto outward = [&](const Field4& v, const Complex& root) {
+        const auto outward = [&](const Field4& v, const Complex& kn) {
             const double size =
                 std::norm(v[0]) + std::norm(v[1]) + std::norm(v[2]) + std::norm(v[3]);
-            return sign * (root.imag() + flow(v, v).real() / size);
+            return sign * (kn.imag() + flow(v, v).real() / size);
         };
         if (outward(leaving, out[1]) < outward(arriving, in[1])) {
             std::swap(leaving, arriving);
@@ -692,7 +710,8 @@ bool HalfSpace::separate_grazing(const Berreman<T>& b, const Matrix4<T>& square,
         const double size = std::sqrt(size2_of(v));
         E[i] = {v[0] / size, v[1] / size, z_component(v) / size};
         psi[i] = {v[0] / size, v[1] / size, scale / size * v[2], scale / size * v[3]};
-        propagating[i] = absorbing || std::abs(out[i].imag()) < 1e-13;
+        propagating[i] =
+            absorbing || (i == 1 && !exact ? root.imag() == 0 : std::abs(out[i].imag()) < 1e-13);
         flux[i] = propagating[i] ? std::max(sign * normal_flux(psi[i]), 0.0) : 0;
     }
     if (exact && !absorbing) {
