@@ -14,7 +14,7 @@ help:
 	@echo 'make demo    install what is missing, build, render scenes/calcite_on_grid.spar into out/'
 	@echo 'make build   the program build/icespar, and .venv in which "import icespar" works'
 	@echo 'make test    build and run the C++ and the Python tests'
-	@echo 'make bench   error against time, written to bench/results'
+	@echo 'make bench   error against time, and the interface at length, into bench/results'
 	@echo 'make wheel   a Python wheel in dist/'
 	@echo 'make clean   remove what was built (.venv and out/ stay)'
 
@@ -59,7 +59,8 @@ build: deps $(VENV)/.installed
 
 demo: build
 	@mkdir -p out
-	build/icespar render scenes/calcite_on_grid.spar --size 640x480 -o out/calcite_on_grid.exr -o out/calcite_on_grid.png
+	build/icespar render scenes/calcite_on_grid.spar --size 640x480 --error 0.01 --time 45 \
+	  -o out/calcite_on_grid.exr -o out/calcite_on_grid.png
 	@echo "The picture is in $(CURDIR)/out/calcite_on_grid.png (to look at) and calcite_on_grid.exr (to measure)."
 
 test: build $(VENV)/.installed-test
@@ -68,6 +69,8 @@ test: build $(VENV)/.installed-test
 	$(BIN)/python -m pytest tests/python
 
 bench: build $(VENV)/.installed-test
+	cmake --build --preset release --target icespar_bench
+	@for program in $(basename $(notdir $(wildcard bench/*.cpp))); do echo "$$program"; build/tests/$$program; done
 	$(BIN)/python bench/run.py
 
 wheel: $(VENV)/.installed

@@ -47,6 +47,7 @@ BlockPtr Parser::parse(std::uint32_t file) {
                 }
                 next();
             } catch (const Fault&) {
+                diagnostics_.pass_over();
                 if (frame().at < frame().end) ++frame().at;
             }
         }
@@ -96,6 +97,7 @@ void Parser::recover(int depth) {
             if (peek_is(tok::end)) break;
             if (next().kind == '}' && braces_ < depth) break;
         } catch (const Fault&) {
+            diagnostics_.pass_over();
             if (frame().at < frame().end) ++frame().at;
         }
     }
@@ -199,156 +201,6 @@ bool Parser::item(Block& block, char closer) {
     closing_ = false;
     word_item(block, token);
     return true;
-}
-
-void Parser::word_item(Block& block, const Token& token) {
-    const Place where = place(token);
-    const Name& name = names_[token.index];
-    const WordInfo& info = name.info;
-    const bool opens = raw(1).kind == '{';
-    const auto legal = words_in(block.word);
-    const bool belongs = legal && contains(*legal, name.text);
-    const SlotPtr slot = info.may_be_declared && !belongs ? find_shared(token.index) : nullptr;
-
-    if ((slot && slot->value) || (info.kind == WordKind::value && !opens && !belongs)) {
-        Value value = expression(Context::item);
-        add(block, {Item::Kind::value, joined(where, last_place_), {}, std::move(value), {}});
-        return;
-    }
-    const std::string quoted = "'" + name.text + "'";
-    if (belongs) {
-        if (opens) {
-            BlockPtr inner = this->block(token);
-            add(block, {Item::Kind::block, where, name.text, {}, std::move(inner)});
-        } else {
-            next();
-            add(block, {Item::Kind::word, where, name.text, {}, {}});
-            if (name.text == "matrix") matrix_items(block);
-        }
-        return;
-    }
-    if (info.kind == WordKind::skipped) {
-        diagnostics_.warning(where, quoted + " is left out: " + std::string(info.advice), {},
-                             name.text);
-    } else if (info.kind == WordKind::refused) {
-        diagnostics_.error(where, quoted + " cannot be rendered", std::string(info.advice));
-    } else if (info.kind == WordKind::name) {
-        return unknown_word(block, token);
-    } else {
-        std::string hint;
-        if (legal && !legal->empty()) hint = did_you_mean(name.text, *legal);
-        diagnostics_.error(where, quoted + " does not belong in '" + std::string(block.word) + "'",
-                           hint);
-    }
-    next();
-    // A word that is left out stays in the tree as one, so that what follows is not taken for
-    // another's.
-    add(block, {Item::Kind::word, where, {}, {}, {}});
-    if (opens) skip_braces(token);
-}
-
-/// The twelve numbers of a matrix are more than a vector holds: they become four vectors of 3.
-void Parser::matrix_items(Block& block) {
-    expect('<', "'<' and twelve numbers");
-    const Argument none(*this, 0);
-    std::array<Item, 4> rows;
-    for (std::size_t i = 0; i < 12; ++i) {
-        if (i > 0) expect(',', "',' and twelve numbers in all");
-        const Place at = here();
-        const Value value = expression(Context::vector);
-        const Numbers* n = value.numbers();
-        if (!value.empty() && (!n || n->size != 1)) {
-            throw Fault{joined(at, last_place_), "expected a float, found " + kind_of(value), {}};
-        }
-        Item& row = rows[i / 3];
-        if (i % 3 == 0) row = {Item::Kind::value, at, {}, Numbers{{}, 3, false}, {}};
-        if (n) std::get<Numbers>(row.value.is).c[i % 3] = n->c[0];
-    }
-    expect('>', "'>' after twelve numbers");
-    for (Item& row : rows) add(block, std::move(row));
-}
-
-void Parser::unknown_word(Block& block, const Token& token) {
-    const Place where = place(token);
-    const std::string quoted = "'" + names_[token.index].text + "'";
-    const char after = raw(1).kind;
-    const auto legal = words_in(block.word);
-    const bool wants_value = !block.items.empty() && block.items.back().kind == Item::Kind::word &&
-                             !block.items.back().word.empty();
-    const bool operates = std::string_view("*/+-.,)[?").find(after) != std::string_view::npos;
-    const std::string& text = names_[token.index].text;
-    // The words of the language are written small: a capital letter makes it a name.
-    const bool capital =
-        std::any_of(text.begin(), text.end(), [](char c) { return c >= 'A' && c <= 'Z'; });
-    if (after == '(' ||
-        (after != '{' && (wants_value || operates || capital || (legal && legal->empty())))) {
-        // In the place of a value it is a name.
-        Value value = expression(Context::item);
-        add(block, {Item::Kind::value, where, {}, std::move(value), {}});
-        return;
-    }
-    std::string hint;
-    if (legal) hint = did_you_mean(text, *legal);
-    if (hint.empty() && after != '{') hint = hint_for_name(text, false);
-    if (hint.empty()) hint = did_you_mean(text, skipped_words());
-    const bool top = block.word == "scene";
-    diagnostics_.error(
-        where, "unknown word " + quoted + (top ? "" : " in '" + std::string(block.word) + "'"),
-        hint);
-    next();
-    add(block, {Item::Kind::word, where, {}, {}, {}});
-    if (after == '{') skip_braces(token);
-}
-
-/// What stands between braces, unread.
-void Parser::skip_braces(const Token& opener) {
-    const Place where = place(opener);
-    int depth = 0;
-    do {
-        const Token& token = raw();
-        if (frame().at >= frame().end) {
-            if (frames_.size() > 1) {
-                pop_frame();
-                continue;
-            }
-            throw Fault{where, "the '{' after this is never closed: '}' is missing", {}};
-        }
-        if (token.kind == '{') ++depth;
-        if (token.kind == '}') --depth;
-        ++frame().at;
-        count_token();
-    } while (depth > 0);
-}
-
-Value Parser::declared_value() {
-    const Token token = peek();
-    if (token.kind == tok::word && raw(1).kind == '{') {
-        const Name& name = names_[token.index];
-        const Place where = place(token);
-        const std::string quoted = "'" + name.text + "'";
-        if (words_in(name.text) && name.text != "scene" &&
-            !(name.info.may_be_declared && find(token.index))) {
-            BlockPtr value = block(token);
-            check_depth(value->depth, where);
-            return value;
-        }
-        if (name.info.kind == WordKind::skipped) {
-            diagnostics_.warning(where, quoted + " is left out: " + std::string(name.info.advice),
-                                 {}, name.text);
-        } else if (name.info.kind == WordKind::refused) {
-            diagnostics_.error(where, quoted + " cannot be rendered",
-                               std::string(name.info.advice));
-        } else if (name.text != "array") {
-            const auto blocks = *words_in("scene");
-            diagnostics_.error(where, "unknown word " + quoted, did_you_mean(name.text, blocks));
-        }
-        if (name.text != "array") {
-            next();
-            skip_braces(token);
-            return {};
-        }
-    }
-    return expression();
 }
 
 }  // namespace icespar

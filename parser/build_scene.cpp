@@ -13,6 +13,7 @@ Builder::Builder(const Sources& sources, Diagnostics& diagnostics)
     : sources_(sources), diagnostics_(diagnostics) {}
 
 void Builder::step(const Place& place) {
+    where_ = place;
     if (++steps_ > limits::build_steps) {
         diagnostics_.fatal(place,
                            "the scene takes more than " + std::to_string(limits::build_steps) +
@@ -114,6 +115,11 @@ void Builder::global_settings(const Block& block) {
 void Builder::finish_part(const Part& part) {
     step(part.where);
     if (part.look.at_fault) return;
+    const double volume = part.place.determinant();
+    if (!is_finite(part.place.point({1, 1, 1})) || !std::isnormal(volume)) {
+        throw Fault{
+            part.where, "this object's transforms leave it without a size, or without an end", {}};
+    }
     if (part.kind == Part::Kind::lamp) {
         Light light = part.light;
         light.position = mirrored(part.place.point(light.position));

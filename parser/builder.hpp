@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "math/error.hpp"
 #include "parser/cursor.hpp"
 #include "parser/diagnostic.hpp"
 #include "parser/tree.hpp"
@@ -79,6 +80,9 @@ private:
             return true;
         } catch (const Fault& fault) {
             diagnostics_.error(fault);
+        } catch (const Error& error) {
+            // From the core, which knows no places: the item that was looked at last is to blame.
+            diagnostics_.error(where_, error.what());
         } catch (const Poisoned& poisoned) {
             if (diagnostics_.errors() == 0) diagnostics_.error(poisoned.place, "this has no value");
         }
@@ -133,6 +137,7 @@ private:
     const Sources& sources_;
     Diagnostics& diagnostics_;
     Scene scene_;
+    Place where_;
     Look defaults_;
     std::array<double, 3> ambient_light_{1, 1, 1};
     std::map<const Block*, std::shared_ptr<Solid>> solids_;

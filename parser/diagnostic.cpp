@@ -52,13 +52,13 @@ std::size_t byte_of(std::string_view text, std::size_t n) {
 
 }  // namespace
 
-std::string printable(std::string_view text) {
+std::string printable(std::string_view text, std::size_t most) {
     std::string out;
-    for (const char c : text.substr(0, 60)) {
+    for (const char c : text.substr(0, most)) {
         const auto byte = static_cast<unsigned char>(c);
         out += byte < 0x20 || byte == 0x7f ? '?' : c;
     }
-    if (text.size() > 60) out += "...";
+    if (text.size() > most) out += "...";
     return out;
 }
 
@@ -82,10 +82,10 @@ std::string did_you_mean(std::string_view word, std::span<const std::string_view
     return found.empty() ? std::string() : "did you mean '" + std::string(found) + "'?";
 }
 
-std::string listed(std::span<const std::string_view> words) {
+std::string listed(std::span<const std::string_view> words, std::string_view last) {
     std::string out;
     for (std::size_t i = 0; i < words.size(); ++i) {
-        if (i > 0) out += i + 1 == words.size() ? " or " : ", ";
+        if (i > 0) out += i + 1 == words.size() ? last : ", ";
         out += words[i];
     }
     return out;
@@ -166,8 +166,12 @@ bool Diagnostics::is_new(const Place& place, const std::string& message) {
         .second;
 }
 
+void Diagnostics::pass_over() {
+    if (++passed_over_ > limits::errors_passed_over && errors_ > 0) throw Stop{};
+}
+
 void Diagnostics::error(const Place& place, std::string message, std::string hint) {
-    if (quiet_ || !is_new(place, message)) return;
+    if (quiet_ || !is_new(place, message)) return pass_over();
     list_.push_back(at(place, std::move(message), std::move(hint)));
     if (++errors_ >= limits::errors) throw Stop{};
 }

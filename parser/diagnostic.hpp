@@ -41,6 +41,10 @@ public:
     /// block.
     void set_quiet(bool quiet) { quiet_ = quiet; }
 
+    /// A fault that is not told, because it was told before or the parser is looking for an end.
+    /// Throws Stop after very many: a loop may hold one that costs time in every turn.
+    void pass_over();
+
     [[nodiscard]] int errors() const { return errors_; }
     [[nodiscard]] std::vector<Diagnostic> take() { return std::move(list_); }
 
@@ -51,7 +55,7 @@ private:
     const Sources& sources_;
     std::vector<Diagnostic> list_;
     std::set<std::string> said_;
-    int errors_ = 0, warnings_ = 0;
+    int errors_ = 0, warnings_ = 0, passed_over_ = 0;
     bool quiet_ = false;
 };
 
@@ -61,9 +65,9 @@ private:
 /// "did you mean 'reflection'?", or nothing.
 [[nodiscard]] std::string did_you_mean(std::string_view word,
                                        std::span<const std::string_view> candidates);
-/// "a, b or c"
-[[nodiscard]] std::string listed(std::span<const std::string_view> words);
+/// "a, b and c"
+[[nodiscard]] std::string listed(std::span<const std::string_view> words, std::string_view last);
 /// A piece of the user's text, made fit to print within quotes.
-[[nodiscard]] std::string printable(std::string_view text);
+[[nodiscard]] std::string printable(std::string_view text, std::size_t most = 60);
 
 }  // namespace icespar

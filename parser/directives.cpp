@@ -182,7 +182,7 @@ void Parser::include() {
                         "move it beside the scene, or allow its folder with --allow"};
         }
         std::string hint = did_you_mean(name, library_names());
-        if (hint.empty()) hint = "the library has " + listed(library_names());
+        if (hint.empty()) hint = "the library has " + listed(library_names(), " and ");
         throw Fault{where, "there is no file '" + printable(name) + "'", hint};
     }
     const std::string key = found.path ? found.path->string() : "library:" + name;
@@ -208,7 +208,9 @@ void Parser::include() {
 
 void Parser::text_directive(std::string_view kind, const Place& where) {
     const Value value = expression();
-    const std::string text = value.text() ? printable(*value.text()) : std::string();
+    std::string text = value.text() ? *value.text() : std::string();
+    while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) text.pop_back();
+    text = printable(text, 400);
     if (peek_operator().kind == ';') ++frame().at;
     const Place whole = joined(where, last_place_);
     if (kind == "error") diagnostics_.fatal(whole, "the scene says: " + text);

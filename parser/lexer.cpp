@@ -25,7 +25,14 @@ public:
 
     TokenFile run() {
         if (text_.starts_with("\xef\xbb\xbf")) at_ = 3;
-        while (skip_blanks()) one();
+        while (skip_blanks()) {
+            one();
+            if (out_.tokens.size() < limits::tokens) continue;
+            push_string(
+                tok::bad, at_,
+                "this file has more than " + std::to_string(limits::tokens) + " tokens, the bound");
+            break;
+        }
         push(tok::end, text_.size());
         return std::move(out_);
     }

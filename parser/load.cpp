@@ -41,6 +41,13 @@ LoadResult load(std::string_view text, const std::string& name, const std::files
             for (const std::string& fault : faults(scene)) diagnostics.error(name, fault);
         }
         if (diagnostics.errors() == 0) result.scene = std::move(scene);
+    } catch (const Error& error) {
+        Diagnostic d;
+        d.file = name;
+        d.message = error.what();
+        result.diagnostics = diagnostics.take();
+        result.diagnostics.push_back(std::move(d));
+        return result;
     } catch (const Stop&) {
         // The message that stopped us is among the others.
     }

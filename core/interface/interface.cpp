@@ -18,6 +18,9 @@ struct Pair2 {
     T first, second;
 };
 
+double size(double v) { return std::abs(v); }
+double size(const Complex& v) { return std::abs(v.real()) + std::abs(v.imag()); }
+
 /// m x = rhs by Cramer's rule. A determinant that is all rounding (two evanescent waves that merge)
 /// is taken as that rounding, so that amplitudes stay finite.
 template <class T>
@@ -25,8 +28,8 @@ Pair2<T> solved(const T (&m)[2][2], const T& r0, const T& r1) {
     constexpr double rounding = 1e-16;
     const T a = m[0][0] * m[1][1], b = m[0][1] * m[1][0];
     T det = a - b;
-    const double least = rounding * (std::abs(a) + std::abs(b));
-    if (!(std::abs(det) > least)) det = least > 0 ? least : 1e-300;
+    const double least = rounding * (size(a) + size(b));
+    if (!(size(det) > least)) det = least > 0 ? least : 1e-300;
     return {(r0 * m[1][1] - m[0][1] * r1) / det, (m[0][0] * r1 - r0 * m[1][0]) / det};
 }
 
@@ -187,8 +190,7 @@ Wave Interface::built(const Side& side, const Medium& medium, std::size_t i) con
         const double size = length(flow);
         w.ray = size > 0 ? flow / size : x_;
     } else if (w.mode == Mode::extraordinary) {
-        const double eps_o = medium.n_o * medium.n_o, eps_e = medium.n_e * medium.n_e;
-        w.ray = normalised(eps_o * k + ((eps_e - eps_o) * dot(k, medium.axis)) * medium.axis);
+        w.ray = extraordinary_ray(medium, k);
     } else {
         w.ray = k / w.n_phase;
     }

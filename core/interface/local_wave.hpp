@@ -60,8 +60,8 @@ struct CrystalPair {
           same_kind((m.q_o2 > 0) == (m.w2 > 0)) {}
 
     [[nodiscard]] T step(const FaceMedium& m, const T& across_squared) const {
-        return same_kind && std::abs(divisor) > 1e-150 ? T(m.delta() * across_squared / divisor)
-                                                       : T(q_e_direct - q_o);
+        return std::abs(divisor) > 1e-150 ? T(m.delta() * across_squared / divisor)
+                                          : T(q_e_direct - q_o);
     }
 };
 
@@ -199,7 +199,9 @@ struct MergedPair {
         partner.hy -= lag * o.x;
         o_factor = -turn * norm2(ka, kb);
         e_factor = length(small * p - mix * o);
-        if (std::abs(small) < 1e-150) small = 1e-150;
+        // Exactly merged: amplitudes as large as rounding lets them be told apart.
+        const double least = 1e-16 * std::abs(large);
+        if (std::abs(small) < least) small = least;
     }
 
     /// Amplitudes of the unit waves o and e from those of this pair. They grow without bound as the

@@ -40,6 +40,12 @@ struct Wave {
     [[nodiscard]] double flux(const Vec3& n) const { return dot(real(cross(E, conj(H))), n); }
 };
 
+/// Unit direction of the energy of a propagating extraordinary wave, along eps k.
+[[nodiscard]] inline Vec3 extraordinary_ray(const Medium& medium, const Vec3& k) {
+    const double eps_o = medium.n_o * medium.n_o, eps_e = medium.n_e * medium.n_e;
+    return normalised(eps_o * k + ((eps_e - eps_o) * dot(k, medium.axis)) * medium.axis);
+}
+
 enum class By { wave_normal, ray };
 
 /// The propagating wave of the given mode along a unit direction. s and p (isotropic) refer to the

@@ -1,6 +1,7 @@
 // Embree's tree over the boxes of gems and bounded things; the hits themselves are found in double.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "render/world.hpp"
@@ -30,6 +31,8 @@ public:
 private:
     const World& world_;
     std::vector<Bounds> bounds_;
+    Vec3 centre_;
+    double radius_ = 0;
     struct Embree;
     std::unique_ptr<Embree> embree_;
 };

@@ -20,8 +20,8 @@ struct Branch {
     int facet = -1;       ///< inside: the facet just left
     Departure from;       ///< outside: the object just left
     Mode mode = Mode::s;  ///< inside a birefringent gem: ordinary or extraordinary
-    /// Unit polarisations that belong to the two columns of `amplitude`; in a birefringent gem only the
-    /// first, the mode's E.
+    /// Unit polarisations that belong to the two columns of `amplitude`; in a birefringent gem only
+    /// the first, the mode's E.
     std::array<Vec3, 2> basis;
     /// [sensor axis x or y][basis vector]; in a birefringent gem only column 0, of `mode`.
     std::array<std::array<Complex, 2>, 2> amplitude{};

@@ -6,6 +6,7 @@
 #include <embree3/rtcore.h>
 #endif
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -27,6 +28,7 @@ struct Query : QueryContext {
     Ray ray{};
     Departure from{};
     Hit* hit = nullptr;
+    double start = 0;  ///< where the float ray begins on the ray in double
     bool found = false;
 };
 
@@ -54,7 +56,7 @@ void intersect(const RTCIntersectFunctionNArguments* args) {
     if (!query.objects->meet(args->primID, query.ray, query.from, *query.hit)) return;
     query.found = true;
     auto& ray = reinterpret_cast<RTCRayHit*>(args->rayhit)->ray;
-    ray.tfar = std::min(ray.tfar, rounded_up(query.hit->distance));
+    ray.tfar = std::min(ray.tfar, rounded_up(query.hit->distance - query.start));
 }
 
 }  // namespace
@@ -70,6 +72,13 @@ struct BoundedObjects::Embree {
 
 BoundedObjects::BoundedObjects(const World& world, const std::vector<Bounds>& bounds)
     : world_(world), bounds_(bounds), embree_(std::make_unique<Embree>()) {
+    Vec3 low = bounds.front().low, high = bounds.front().high;
+    for (const Bounds& b : bounds) {
+        low = {std::min(low.x, b.low.x), std::min(low.y, b.low.y), std::min(low.z, b.low.z)};
+        high = {std::max(high.x, b.high.x), std::max(high.y, b.high.y), std::max(high.z, b.high.z)};
+    }
+    centre_ = 0.5 * (low + high);
+    radius_ = 0.5 * length(high - low);
     if (embree_->device == nullptr) throw Error("Embree could not start: check its installation");
     embree_->scene = rtcNewScene(embree_->device);
     rtcSetSceneFlags(embree_->scene, RTC_SCENE_FLAG_ROBUST);
@@ -100,14 +109,18 @@ bool BoundedObjects::nearest(const Ray& ray, const Departure& from, Hit& hit) co
     query.ray = ray;
     query.from = from;
     query.hit = &hit;
+    // The float ray begins close to the objects, however far away the ray itself does.
+    query.start = std::max(0.0, dot(centre_ - ray.origin, ray.direction) - 2 * radius_);
+    if (!(query.start < hit.distance)) return false;
+    const Vec3 origin = ray.origin + query.start * ray.direction;
     RTCRayHit rayhit{};
-    rayhit.ray.org_x = static_cast<float>(ray.origin.x);
-    rayhit.ray.org_y = static_cast<float>(ray.origin.y);
-    rayhit.ray.org_z = static_cast<float>(ray.origin.z);
+    rayhit.ray.org_x = static_cast<float>(origin.x);
+    rayhit.ray.org_y = static_cast<float>(origin.y);
+    rayhit.ray.org_z = static_cast<float>(origin.z);
     rayhit.ray.dir_x = static_cast<float>(ray.direction.x);
     rayhit.ray.dir_y = static_cast<float>(ray.direction.y);
     rayhit.ray.dir_z = static_cast<float>(ray.direction.z);
-    rayhit.ray.tfar = std::isfinite(hit.distance) ? rounded_up(hit.distance)
+    rayhit.ray.tfar = std::isfinite(hit.distance) ? rounded_up(hit.distance - query.start)
                                                   : std::numeric_limits<float>::infinity();
     rayhit.ray.mask = ~0u;
     rayhit.hit.geomID = RTC_INVALID_GEOMETRY_ID;

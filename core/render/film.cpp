@@ -42,7 +42,7 @@ Film::Film(int width, int height, int bands, bool stokes)
     : width_(width), height_(height), components_(stokes ? 4 : 1), bands_{bands} {
     const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
     sums_.assign(pixels * static_cast<std::size_t>(channels() * components_), 0.0);
-    squares_.assign(pixels, 0.0);
+    spread_.resize(pixels);
     samples_.assign(pixels, 0);
 }
 
@@ -53,23 +53,32 @@ bool Film::add(int x, int y, const std::vector<double>& sample) {
     const std::size_t p = pixel(x, y);
     double* sums = &sums_[p * sample.size()];
     for (std::size_t i = 0; i < sample.size(); ++i) sums[i] += sample[i];
-    const double y_value = luminance(sample.data(), components_);
-    squares_[p] += y_value * y_value;
     ++samples_[p];
     return true;
 }
 
+void Film::end_pass(int x, int y) {
+    const std::size_t p = pixel(x, y);
+    Spread& s = spread_[p];
+    const double total =
+        luminance(&sums_[p * static_cast<std::size_t>(channels() * components_)], components_);
+    s.squares += (total - s.before) * (total - s.before);
+    s.before = total;
+    ++s.passes;
+}
+
 double Film::error() const {
-    const auto stride = static_cast<std::size_t>(channels() * components_);
     double variance = 0, mean = 0;
-    for (std::size_t p = 0; p < samples_.size(); ++p) {
-        const double n = samples_[p];
-        if (n < 2) return 0;
-        const double y = luminance(&sums_[p * stride], components_) / n;
-        mean += y;
-        variance += std::max(0.0, squares_[p] / n - y * y) / (n - 1);
+    for (std::size_t p = 0; p < spread_.size(); ++p) {
+        const Spread& s = spread_[p];
+        const double passes = s.passes, samples = samples_[p];
+        if (passes < 2 || samples == 0) return 0;
+        mean += s.before / samples;
+        // Of the sum over all passes, then of the mean.
+        const double of_sum = (s.squares - s.before * s.before / passes) * passes / (passes - 1);
+        variance += std::max(0.0, of_sum) / (samples * samples);
     }
-    const auto pixels = static_cast<double>(samples_.size());
+    const auto pixels = static_cast<double>(spread_.size());
     return mean > 0 ? std::sqrt(variance / pixels) / (mean / pixels) : 0;
 }
 

@@ -42,9 +42,13 @@ public:
     /// of them is not finite.
     bool add(int x, int y, const std::vector<double>& sample);
 
-    /// Relative RMS error of the picture's luminance, estimated from the spread of the samples: the
-    /// root of the mean variance of the pixels' means over the mean luminance. Low-discrepancy
-    /// samples do better than this says. 0 with fewer than 2 samples or a black picture.
+    /// Ends a pixel's pass: a run of samples that cover pixel and spectrum evenly together.
+    void end_pass(int x, int y);
+
+    /// Relative RMS error of the picture's luminance: the root of the mean variance of the pixels
+    /// over the mean luminance, the variance estimated from how much equal passes differ, since
+    /// samples within a pass are not independent. 0 with fewer than 2 passes or for a black
+    /// picture.
     [[nodiscard]] double error() const;
 
     [[nodiscard]] Image image() const;
@@ -56,7 +60,13 @@ private:
     }
     int width_, height_, components_;
     Bands bands_;
-    std::vector<double> sums_, squares_;
+    struct Spread {
+        double before = 0;   ///< luminance summed over the passes that ended
+        double squares = 0;  ///< of each pass's sum
+        int passes = 0;
+    };
+    std::vector<double> sums_;
+    std::vector<Spread> spread_;
     std::vector<int> samples_;
 };
 

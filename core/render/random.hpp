@@ -36,20 +36,19 @@ struct CameraSample {
     double wavelength;  ///< [0, 1), for the wavelength's distribution
 };
 
-/// Point number `index` of an additive recurrence in three dimensions (Roberts 2018: powers of the
-/// generalised golden ratio), shifted by a random vector of the pixel (Cranley and Patterson 1976).
+/// Point number `index` of additive recurrences, shifted by a random vector of the pixel (Cranley
+/// and Patterson 1976): over the pixel by powers of the plastic number (Roberts 2018), over the
+/// wavelengths by the golden ratio, so that any run of samples covers the spectrum evenly.
 [[nodiscard]] inline CameraSample camera_sample(std::uint64_t pixel_seed, std::uint64_t index) {
-    constexpr double ratio = 1.2207440846057596;
-    constexpr double steps[3] = {1 / ratio, 1 / (ratio * ratio), 1 / (ratio * ratio * ratio)};
+    constexpr double plastic = 1.3247179572447460;
+    constexpr double steps[3] = {1 / plastic, 1 / (plastic * plastic), 1 / std::numbers::phi};
     const auto coordinate = [&](int d) {
         const double shift =
             static_cast<double>(mixed(pixel_seed + static_cast<unsigned>(d)) >> 11) * 0x1p-53;
         const double v = shift + static_cast<double>(index) * steps[d];
         return v - std::floor(v);
     };
-    // The wavelength takes the first, longest step: colour is what is left to chance in a plain
-    // pixel.
-    return {coordinate(1), coordinate(2), coordinate(0)};
+    return {coordinate(0), coordinate(1), coordinate(2)};
 }
 
 /// Cosine-weighted direction about the unit normal n.

@@ -18,7 +18,9 @@ namespace icespar {
 namespace {
 
 /// A branch that carries less of the pixel's light than this plays roulette (docs/method.md).
-constexpr double roulette_weight = 0.02;
+constexpr double roulette_weight = 0.1;
+/// Outside a stone it costs one look at the surroundings, so it is followed for less.
+constexpr double outside_weight = 0.01;
 /// Light that is all but caught in a stone ends by chance, too.
 constexpr int patient_hits = 256;
 constexpr double patience = 0.9;
@@ -44,7 +46,7 @@ public:
     [[nodiscard]] double wavelength_nm() const { return draw_.wavelength_nm; }
 
     bool admit(Branch& b) {
-        double survival = std::min(1.0, b.weight / roulette_weight);
+        double survival = std::min(1.0, b.weight / (b.gem < 0 ? outside_weight : roulette_weight));
         if (b.hits > patient_hits) survival = std::min(survival, patience);
         if (survival >= 1) return true;
         if (!(random_.uniform() < survival)) return false;
@@ -76,6 +78,7 @@ public:
         }
     }
     [[nodiscard]] int diffuse_rays(const Branch&) const { return 1; }
+    std::pair<double, double> light_point() { return diffuse_point(0); }
     std::pair<double, double> diffuse_point(int) {
         const double u = random_.uniform();
         return {u, random_.uniform()};
@@ -161,7 +164,9 @@ Rendering render(const Scene& scene, const RenderOptions& options,
 
     const int across = (options.width + tile - 1) / tile, down = (options.height + tile - 1) / tile;
     const int tiles = across * down;
+    // Per tile, so that sums do not depend on the threads.
     std::vector<double> dropped(static_cast<std::size_t>(tiles), 0.0);
+    std::vector<std::uint64_t> paths(static_cast<std::size_t>(tiles), 0);
 
     const auto render_tile = [&](int index, int first_sample, int count) {
         Worker& w = workers.local();
@@ -181,7 +186,9 @@ Rendering render(const Scene& scene, const RenderOptions& options,
                                   w.sampler.wavelength_nm(), w.sampler);
                     if (!film.add(x, y, w.sampler.sample)) ++w.bad;
                     dropped[static_cast<std::size_t>(index)] += w.sampler.dropped;
+                    ++paths[static_cast<std::size_t>(index)];
                 }
+                film.end_pass(x, y);
             }
         }
     };
@@ -190,10 +197,12 @@ Rendering render(const Scene& scene, const RenderOptions& options,
     Progress state;
     // Tiles go out in batches so that the caller hears from us a few times a second.
     int batch = 4 * arena.max_concurrency();
-    while (!report.interrupted) {
+    bool enough = false;
+    while (!report.interrupted && !enough) {
         int count = samples_per_pass;
         if (options.samples > 0) count = std::min(count, options.samples - report.samples);
-        for (int begin = 0, end = 0; begin < tiles && !report.interrupted; begin = end) {
+        int end = 0;
+        for (int begin = 0; begin < tiles && !report.interrupted; begin = end) {
             end = std::min(begin + batch, tiles);
             const double before = seconds();
             arena.execute([&] {
@@ -217,19 +226,16 @@ Rendering render(const Scene& scene, const RenderOptions& options,
                 break;
             if (took < 0.1) batch = std::min(2 * batch, tiles);
         }
-        report.samples += count;
+        if (end == tiles) report.samples += count;
         report.error = state.error = film.error();
         state.samples = report.samples;
-        const bool enough =
-            (options.samples > 0 && report.samples >= options.samples) ||
-            (options.seconds > 0 && seconds() >= options.seconds) ||
-            (target > 0 && report.error <= target && report.samples >= 2 * samples_per_pass);
-        if (enough) break;
+        enough = (options.samples > 0 && report.samples >= options.samples) ||
+                 (options.seconds > 0 && seconds() >= options.seconds) ||
+                 (target > 0 && report.error <= target && report.samples >= 2 * samples_per_pass);
     }
 
-    const double pixels = static_cast<double>(options.width) * options.height;
     for (const double d : dropped) report.dropped += d;
-    report.paths = static_cast<std::uint64_t>(pixels * report.samples);
+    for (const std::uint64_t n : paths) report.paths += n;
     report.dropped /= static_cast<double>(report.paths);
     for (const Worker& w : workers) {
         report.events += w.walker.events();

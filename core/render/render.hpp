@@ -66,7 +66,7 @@ struct SensorRay {
 };
 
 struct Traced {
-    std::vector<Stokes> stokes;   ///< in units of the environment's illuminant at that wavelength
+    std::vector<Stokes> stokes;  ///< in units of the environment's illuminant at that wavelength
     /// What the branches given up by the bounds would have added under unit unpolarised light from
     /// everywhere: in such a furnace stokes + dropped = (1, 0, 0, 0).
     std::vector<Stokes> dropped;

@@ -4,6 +4,7 @@
 #include <tbb/task_arena.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "math/error.hpp"
 #include "render/render.hpp"
@@ -44,11 +45,12 @@ public:
     [[nodiscard]] int diffuse_rays(const Branch& b) const {
         return b.diffused ? 0 : hemisphere_rays;
     }
+    /// An area light answers for its centre.
+    [[nodiscard]] std::pair<double, double> light_point() const { return {0.5, 0.5}; }
     [[nodiscard]] std::pair<double, double> diffuse_point(int ray) const {
-        // Fibonacci's lattice over the square; its first point serves area lights by their centre.
-        const double v = ray * 0.6180339887498949;
-        return ray == 0 ? std::pair{0.5, 0.5}
-                        : std::pair{(ray + 0.5) / hemisphere_rays, v - std::floor(v)};
+        // Fibonacci's lattice over the square.
+        const double v = ray / std::numbers::phi;
+        return {(ray + 0.5) / hemisphere_rays, v - std::floor(v)};
     }
 
     Stokes seen;

@@ -20,6 +20,7 @@ namespace icespar {
 ///   lose(stokes)                    the response of a branch given up without roulette
 ///   see(emitter, stokes, at_one)    light that arrives; at_one: only at the traced wavelength
 ///   see_at_wavelength(L, stokes)    spectral radiance L at the traced wavelength
+///   light_point()                   where on the unit square an area light is asked
 ///   diffuse_rays(branch)            how many rays a diffuse surface sends on
 ///   diffuse_point(ray)              where in the unit square ray number `ray` is drawn
 template <class Guide>
@@ -139,10 +140,11 @@ private:
             if (medium_out.birefringent) {
                 for (std::size_t i = 0; i < 2; ++i) {
                     if (!face.propagating(transmitted, i)) continue;
-                    const Wave wave = transmitted ? face.transmitted(i) : face.reflected(i);
-                    child.mode = wave.mode;
-                    launch(child, wave);
-                    child.basis[0] = real(wave.E);
+                    child.mode = i == 0 ? Mode::ordinary : Mode::extraordinary;
+                    child.k = face.wave_vector(transmitted, i);
+                    child.ray =
+                        i == 0 ? child.k / medium_out.n_o : extraordinary_ray(medium_out, child.k);
+                    child.basis[0] = face.field_direction(transmitted, i);
                     for (std::size_t axis = 0; axis < 2; ++axis) {
                         child.amplitude[axis] = {
                             outgoing(face, incoming[axis], first, last, transmitted, i), 0};
@@ -150,10 +152,9 @@ private:
                     send(child, guide);
                 }
             } else if (face.propagating(transmitted, 0)) {
-                const Wave wave = transmitted ? face.transmitted(0) : face.reflected(0);
-                launch(child, wave);
-                child.basis = {face.s_direction(),
-                               cross(child.k, face.s_direction()) / medium_out.n_o};
+                child.k = face.wave_vector(transmitted, 0);
+                child.ray = normalised(child.k);
+                child.basis = {face.s_direction(), cross(child.ray, face.s_direction())};
                 for (std::size_t axis = 0; axis < 2; ++axis) {
                     for (std::size_t i = 0; i < 2; ++i) {
                         child.amplitude[axis][i] =
@@ -163,11 +164,6 @@ private:
                 send(child, guide);
             }
         }
-    }
-
-    static void launch(Branch& child, const Wave& wave) {
-        child.k = real(wave.k);
-        child.ray = wave.ray;
     }
 
     static Complex outgoing(const Interface& face, const std::array<Complex, 2>& incoming,
@@ -216,7 +212,7 @@ private:
         if (albedo == 0) return;
         const Departure here{-1, hit.thing};
         for (const Light& light : scene.lights) {
-            const auto [u, v] = guide.diffuse_point(0);
+            const auto [u, v] = guide.light_point();
             const Vec3 to_light =
                 light.position + (u - 0.5) * light.edge_u + (v - 0.5) * light.edge_v - point;
             const double distance = length(to_light);

@@ -113,6 +113,7 @@ World::World(const Scene& scene, bool use_tree) : scene_(scene) {
     }
     for (std::size_t i = 0; i < scene.things.size(); ++i) {
         const Thing& thing = scene.things[i];
+        into_thing_.push_back(thing.to_world.inverse());
         if (std::holds_alternative<PlaneShape>(thing.shape)) {
             unbounded_.push_back(static_cast<int>(i));
             continue;
@@ -130,7 +131,7 @@ World::World(const Scene& scene, bool use_tree) : scene_(scene) {
         bounds.push_back({centre - reach, centre + reach});
     }
     if (use_tree && !bounds.empty()) {
-        double far = length(scene.camera.location);
+        double far = 0;
         for (const Bounds& b : bounds) far = std::max({far, length(b.low), length(b.high)});
         const Vec3 slack = float_slack * far * Vec3{1, 1, 1};
         for (Bounds& b : bounds) b = {b.low - slack, b.high + slack};
@@ -155,7 +156,7 @@ bool World::meet(int object, const Ray& ray, const Departure& from, Hit& hit) co
 
 bool World::meet_thing(int index, const Ray& ray, const Departure& from, Hit& hit) const {
     const Thing& thing = scene_.things[static_cast<std::size_t>(index)];
-    const Transform back = thing.to_world.inverse();
+    const Transform& back = into_thing_[static_cast<std::size_t>(index)];
     const Vec3 o = back.point(ray.origin), d = back.vector(ray.direction);
     // Things are seen, not looked through: a start on their own surface is left by this much.
     const double start = from.thing == index ? 1e-10 * (1 + length(o)) / length(d) : 0;

@@ -68,6 +68,7 @@ private:
 
     const Scene& scene_;
     std::vector<FacetPlanes> planes_;
+    std::vector<Transform> into_thing_;     ///< world to object space
     std::vector<int> unbounded_, bounded_;  ///< things: planes, and the others
     std::unique_ptr<BoundedObjects> tree_;
 };

@@ -23,7 +23,7 @@ def test_a_picture_is_an_array_that_looks_into_its_memory(calcite_box):
     kept = array.copy()
     del image
     assert (array == kept).all()  # the array keeps the memory alive
-    np.testing.assert_allclose(array, 1, atol=0.05)  # the furnace, by roulette
+    assert array.mean() == pytest.approx(1, abs=0.02)  # the furnace, by roulette
 
 
 def test_what_is_not_asked_is_not_there(calcite_box):
