@@ -57,7 +57,7 @@ public:
     [[nodiscard]] Complex flux_amplitude(std::size_t m, bool transmitted, std::size_t i) const;
     /// Of a propagating wave: its wave vector, and its unit E, which is real.
     [[nodiscard]] Vec3 wave_vector(bool transmitted, std::size_t i) const {
-        return kt_ * x_ + (transmitted ? transmitted_ : reflected_).q[i].real() * normal_;
+        return kt_.real() * x_ + (transmitted ? transmitted_ : reflected_).q[i].real() * normal_;
     }
     [[nodiscard]] Vec3 field_direction(bool transmitted, std::size_t i) const {
         const CVec3& E = (transmitted ? transmitted_ : reflected_).E[i];
