@@ -220,7 +220,7 @@ ComplexTensor Medium::permittivity() const {
     return ComplexTensor::diagonal(o, o, o) + difference * complexified(dyad(axis));
 }
 
-CVec3 Medium::magnetic_field(const CVec3& k, const CVec3& E) const {
+CVec3 MediumCore::magnetic_field(const CVec3& k, const CVec3& E) const {
     CVec3 H = cross(k, E);
     if (active()) {
         const CVec3 turned =

@@ -11,6 +11,27 @@ namespace icespar {
 
 enum class Symmetry { isotropic, uniaxial, biaxial };
 
+/// What the waves of a face need to know of their medium once they are found.
+struct MediumCore {
+    double n_o = 1, n_e = 1;
+    Vec3 axis{0, 0, 1};         ///< unit optic axis of a uniaxial medium
+    bool birefringent = false;  ///< uniaxial or biaxial
+    Symmetry symmetry = Symmetry::isotropic;
+    bool absorbing = false;
+    double kappa_o = 0, kappa_e = 0;
+    double gyration = 0, gyration_along = 0;
+
+    [[nodiscard]] bool active() const { return gyration != 0 || gyration_along != 0; }
+    /// Transparent, not active, and isotropic or uniaxial: the closed forms apply.
+    [[nodiscard]] bool plain() const {
+        return !absorbing && symmetry != Symmetry::biaxial && !active();
+    }
+    [[nodiscard]] Complex eps_o() const { return Complex(n_o, kappa_o) * Complex(n_o, kappa_o); }
+    [[nodiscard]] Complex eps_e() const { return Complex(n_e, kappa_e) * Complex(n_e, kappa_e); }
+    /// H of a wave with the given k and E.
+    [[nodiscard]] CVec3 magnetic_field(const CVec3& k, const CVec3& E) const;
+};
+
 /// Constitutive relations D = eps E + i alpha H, B = H - i alpha E, with eps complex symmetric
 /// (Im eps >= 0 absorbs) and alpha real symmetric, 0 without optical activity. They are reciprocal,
 /// and conserve energy when eps is real.
@@ -24,14 +45,9 @@ enum class Symmetry { isotropic, uniaxial, biaxial };
 /// wavelength, clockwise for the receiver when gyration > 0 (dextrorotatory). In terms of the
 /// gyration tensor G of crystal optics (Nye 1985, ch. XIV), G33 ~ 2 gyration and G11 ~ gyration +
 /// gyration_along.
-struct Medium {
-    double n_o = 1, n_e = 1;
-    Vec3 axis{0, 0, 1};         ///< unit optic axis of a uniaxial medium
-    bool birefringent = false;  ///< uniaxial or biaxial
-    Symmetry symmetry = Symmetry::isotropic;
-    bool absorbing = false;
-    double kappa_o = 0, kappa_e = 0;
-    double gyration = 0, gyration_along = 0;
+struct Medium : MediumCore {
+    using MediumCore::active;
+
     Complex mean = 1;                     ///< biaxial media only
     ComplexTensor deviation{};            ///< biaxial media only, precise where it is small
     std::array<double, 3> n_principal{};  ///< biaxial: rising; of Re eps when it absorbs
@@ -59,16 +75,7 @@ struct Medium {
     /// eigenvalue of Im eps) or, where it does not absorb, is not positive definite.
     static Medium from_tensor(const std::array<std::array<Complex, 3>, 3>& eps);
 
-    [[nodiscard]] bool active() const { return gyration != 0 || gyration_along != 0; }
-    /// Transparent, not active, and isotropic or uniaxial: the closed forms apply.
-    [[nodiscard]] bool plain() const {
-        return !absorbing && symmetry != Symmetry::biaxial && !active();
-    }
-    [[nodiscard]] Complex eps_o() const { return Complex(n_o, kappa_o) * Complex(n_o, kappa_o); }
-    [[nodiscard]] Complex eps_e() const { return Complex(n_e, kappa_e) * Complex(n_e, kappa_e); }
     [[nodiscard]] ComplexTensor permittivity() const;
-    /// H of a wave with the given k and E.
-    [[nodiscard]] CVec3 magnetic_field(const CVec3& k, const CVec3& E) const;
 };
 
 /// The directions of equal indices for both waves (binormals).

@@ -2,6 +2,8 @@
 // which leaves two equations for the waves that leave on the other.
 #include "interface/general_solver.hpp"
 
+#include <utility>
+
 #include "interface/half_space.hpp"
 
 namespace icespar {
@@ -22,9 +24,24 @@ std::array<Complex, 2> matched(const std::array<Field4, 2>& rows,
     return {(x * d - b * y) / det, (a * y - x * c) / det};
 }
 
+/// E and H in the face's frame, the z components from Maxwell's equations: Dz = -K Hy, Bz = K Ey.
+std::array<CVec3, 2> completed(const Field4& f, const Medium& medium, const FaceFrame& frame,
+                               const Complex& K) {
+    const ComplexTensor eps = medium.permittivity().in_frame(frame.x, frame.y, frame.z);
+    const Vec3 c = frame.to_face(medium.axis);
+    const double across = medium.gyration, more = medium.gyration_along - medium.gyration;
+    const double axz = more * c.x * c.z, ayz = more * c.y * c.z, azz = across + more * c.z * c.z;
+    const Complex i(0, 1);
+    const Complex b = K * f[1] + i * (axz * f[0] + ayz * f[1]);
+    const Complex d = -K * f[3] - eps.xz * f[0] - eps.yz * f[1] - i * (axz * f[2] + ayz * f[3]);
+    const Complex ez = (d - i * azz * b) / (eps.zz - azz * azz);
+    return {CVec3{f[0], f[1], ez}, CVec3{f[2], f[3], b + i * azz * ez}};
+}
+
 }  // namespace
 
-void GeneralSolver::solve(Interface& out, const FaceFrame& frame, const Wave& incident) {
+void GeneralSolver::solve(Interface& out, const Medium& from, const Medium& to,
+                          const FaceFrame& frame, const Wave& incident) {
     out.general_ = true;
     // The incident wave of an absorbing medium has a complex tangential part.
     const Complex K = dot(incident.k, frame.x);
@@ -37,8 +54,8 @@ void GeneralSolver::solve(Interface& out, const FaceFrame& frame, const Wave& in
     std::array<Field4, 2> source{};
     source[given] = tangential(incident.E, incident.H);
     const Arriving known{kn, given, source[given]};
-    const HalfSpace near(out.from_, frame, out.kt_, -1, &known);
-    const HalfSpace far(out.to_, frame, out.kt_, +1, nullptr);
+    const HalfSpace near(from, frame, out.kt_, -1, &known);
+    const HalfSpace far(to, frame, out.kt_, +1, nullptr);
     if (near.incident_field) {
         // In the phase of the field given.
         Complex overlap = 0;
@@ -73,10 +90,18 @@ void GeneralSolver::solve(Interface& out, const FaceFrame& frame, const Wave& in
         const auto t = matched(near.rows, far.basis, source[m], 1);
         out.reflect_[m] = near.amplitudes(r);
         out.transmit_[m] = far.amplitudes(t);
-        out.reflected_field_[m] = near.field(r);
-        out.transmitted_field_[m] = far.field(t);
-        out.reflected_flux_[m] = -normal_flux(out.reflected_field_[m]) / out.flux_in_[m];
-        out.transmitted_flux_[m] = normal_flux(out.transmitted_field_[m]) / out.flux_in_[m];
+        const Field4 reflected = near.field(r), transmitted = far.field(t);
+        out.reflected_flux_[m] = -normal_flux(reflected) / out.flux_in_[m];
+        out.transmitted_flux_[m] = normal_flux(transmitted) / out.flux_in_[m];
+        auto place = out.summed_[m].begin();
+        for (const auto& [field, medium] : {std::pair{&reflected, &from}, {&transmitted, &to}}) {
+            for (const CVec3& v : completed(*field, *medium, frame, out.kt_)) {
+                for (const Complex& z : {v.x, v.y, v.z}) {
+                    *place++ = z.real();
+                    *place++ = z.imag();
+                }
+            }
+        }
     }
 }
 
@@ -87,27 +112,16 @@ void GeneralSolver::add_totals(const Interface& face, std::size_t m, Coefficient
     out.transmitted_total = face.to_.absorbing
                                 ? face.transmitted_flux_[m]
                                 : out.transmitted_power[0] + out.transmitted_power[1];
-    // The z components from Maxwell's equations: n . D = -K Hy and n . B = K Ey.
-    const auto field = [&](const std::array<Complex, 4>& f, const Medium& medium, CVec3& E,
-                           CVec3& H) {
-        const Vec3 n = face.normal_;
-        const CVec3 e = f[0] * face.x_ + f[1] * face.y_, h = f[2] * face.x_ + f[3] * face.y_;
-        const ComplexTensor eps = medium.permittivity();
-        const Complex i(0, 1);
-        const auto alpha = [&](const CVec3& v) {
-            return medium.gyration * v +
-                   ((medium.gyration_along - medium.gyration) * dot(medium.axis, v)) *
-                       complexified(medium.axis);
-        };
-        const CVec3 z = complexified(n);
-        const Complex a = dot(alpha(z), n), b = face.kt_ * f[1] + i * dot(alpha(e), n),
-                      d = -face.kt_ * f[3] - dot(eps * e, n) - i * dot(alpha(h), n);
-        const Complex ez = (d - i * a * b) / (dot(eps * z, n) - a * a);
-        E = e + ez * z;
-        H = h + (b + i * a * ez) * z;
+}
+
+SummedFields GeneralSolver::fields(const Interface& face, std::size_t m) {
+    const auto& parts = face.summed_[m];
+    const auto vector = [&](std::size_t at) {
+        const Complex x(parts[at], parts[at + 1]), y(parts[at + 2], parts[at + 3]),
+            z(parts[at + 4], parts[at + 5]);
+        return x * face.x_ + y * face.y_ + z * face.normal_;
     };
-    field(face.reflected_field_[m], face.from_, out.reflected_E, out.reflected_H);
-    field(face.transmitted_field_[m], face.to_, out.transmitted_E, out.transmitted_H);
+    return {vector(0), vector(6), vector(12), vector(18)};
 }
 
 }  // namespace icespar

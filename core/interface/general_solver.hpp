@@ -7,8 +7,10 @@
 namespace icespar {
 
 struct GeneralSolver {
-    static void solve(Interface& out, const FaceFrame& frame, const Wave& incident);
+    static void solve(Interface& out, const Medium& from, const Medium& to, const FaceFrame& frame,
+                      const Wave& incident);
     static void add_totals(const Interface& face, std::size_t mode, Coefficients& out);
+    static SummedFields fields(const Interface& face, std::size_t mode);
 };
 
 }  // namespace icespar

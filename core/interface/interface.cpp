@@ -122,7 +122,7 @@ Interface::Interface(const Medium& from, const Medium& to, const Vec3& normal, c
     normal_ = normal;
     kt_ = frame.kt;
     if (!from.plain() || !to.plain()) {
-        GeneralSolver::solve(*this, frame, incident);
+        GeneralSolver::solve(*this, from, to, frame, incident);
         return;
     }
     FaceMedium near(from, frame);
@@ -171,12 +171,26 @@ Coefficients Interface::solve(const Wave& incident) const {
     return out;
 }
 
+SummedFields Interface::summed_fields(const Wave& incident) const {
+    const std::size_t m = mode_index(incident.mode);
+    if (general_) return GeneralSolver::fields(*this, m);
+    SummedFields out;
+    for (std::size_t i = 0; i < 2; ++i) {
+        const Wave r = reflected(i), t = transmitted(i);
+        out.reflected_E += reflect_[m][i] * r.E;
+        out.reflected_H += reflect_[m][i] * r.H;
+        out.transmitted_E += transmit_[m][i] * t.E;
+        out.transmitted_H += transmit_[m][i] * t.H;
+    }
+    return out;
+}
+
 Complex Interface::flux_amplitude(std::size_t m, bool transmitted, std::size_t i) const {
     const double flux = (transmitted ? transmitted_ : reflected_).flux[i];
     return std::sqrt(flux / flux_in_[m]) * (transmitted ? transmit_ : reflect_)[m][i];
 }
 
-Wave Interface::built(const Side& side, const Medium& medium, std::size_t i) const {
+Wave Interface::built(const Side& side, const MediumCore& medium, std::size_t i) const {
     Wave w;
     w.mode = modes_of(medium)[i];
     w.propagating = side.propagating[i];

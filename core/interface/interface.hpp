@@ -25,8 +25,11 @@ struct Coefficients {
     /// medium it is the sum of their powers; where a medium absorbs, the two also interfere. With a
     /// transparent first medium both totals add to 1.
     double reflected_total = 0, transmitted_total = 0;
-    /// Summed fields just at the face for incident |E| = 1, well defined also where two waves
-    /// merge. Filled for media other than transparent isotropic and uniaxial ones.
+};
+
+/// Summed tangential and normal fields of the waves of each side, just at the face, for incident
+/// |E| = 1: well defined also where two waves merge.
+struct SummedFields {
     CVec3 reflected_E, reflected_H, transmitted_E, transmitted_H;
 };
 
@@ -41,6 +44,8 @@ public:
     /// Coefficients of the incident wave given, or of another wave with the same wave vector: in an
     /// isotropic medium s and p share one face.
     [[nodiscard]] Coefficients solve(const Wave& incident) const;
+
+    [[nodiscard]] SummedFields summed_fields(const Wave& incident) const;
 
     /// The four outgoing waves in full, and one of them.
     [[nodiscard]] OutgoingWaves waves() const;
@@ -76,19 +81,20 @@ private:
         std::array<bool, 2> propagating;
     };
 
-    [[nodiscard]] Wave built(const Side& side, const Medium& medium, std::size_t i) const;
+    [[nodiscard]] Wave built(const Side& side, const MediumCore& medium, std::size_t i) const;
 
-    Medium from_, to_;
+    MediumCore from_, to_;
     Vec3 x_, y_, normal_;
     Complex kt_ = 0;  ///< tangential wave number
     bool general_ = false;
     Side reflected_, transmitted_;
     std::array<double, 2> flux_in_{};  ///< normal flux of the incident waves of |E| = 1
     std::array<std::array<Complex, 2>, 2> reflect_, transmit_;  ///< [incident mode][outgoing mode]
-    /// General media: summed tangential fields Ex, Ey, Hx, Hy, and their normal flux over the
-    /// incident one, by [incident mode].
-    std::array<std::array<Complex, 4>, 2> reflected_field_, transmitted_field_;
-    std::array<double, 2> reflected_flux_{}, transmitted_flux_{};
+    /// General media only, else without value, by [incident mode]: real and imaginary parts of the
+    /// summed reflected E, H and transmitted E, H in the face's frame; their normal flux over the
+    /// incident one.
+    std::array<std::array<double, 24>, 2> summed_;
+    std::array<double, 2> reflected_flux_, transmitted_flux_;
 };
 
 }  // namespace icespar

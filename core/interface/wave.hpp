@@ -14,7 +14,7 @@ namespace icespar {
 enum class Mode { s, p, ordinary, extraordinary, fast, slow };
 
 /// The names of a medium's two waves.
-[[nodiscard]] inline std::array<Mode, 2> modes_of(const Medium& m) {
+[[nodiscard]] inline std::array<Mode, 2> modes_of(const MediumCore& m) {
     if (m.symmetry == Symmetry::biaxial || m.active()) return {Mode::fast, Mode::slow};
     if (m.symmetry == Symmetry::uniaxial) return {Mode::ordinary, Mode::extraordinary};
     return {Mode::s, Mode::p};
@@ -41,7 +41,7 @@ struct Wave {
 };
 
 /// Unit direction of the energy of a propagating extraordinary wave, along eps k.
-[[nodiscard]] inline Vec3 extraordinary_ray(const Medium& medium, const Vec3& k) {
+[[nodiscard]] inline Vec3 extraordinary_ray(const MediumCore& medium, const Vec3& k) {
     const double eps_o = medium.n_o * medium.n_o, eps_e = medium.n_e * medium.n_e;
     return normalised(eps_o * k + ((eps_e - eps_o) * dot(k, medium.axis)) * medium.axis);
 }

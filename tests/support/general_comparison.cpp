@@ -53,8 +53,9 @@ Solved core(const GeneralCase& c) {
         s.H = {sum(a.reflected[0], out.reflected[0].H, a.reflected[1], out.reflected[1].H),
                sum(a.transmitted[0], out.transmitted[0].H, a.transmitted[1], out.transmitted[1].H)};
     } else {
-        s.E = {a.reflected_E, a.transmitted_E};
-        s.H = {a.reflected_H, a.transmitted_H};
+        const SummedFields sum_of = face.summed_fields(in);
+        s.E = {sum_of.reflected_E, sum_of.transmitted_E};
+        s.H = {sum_of.reflected_H, sum_of.transmitted_H};
     }
     s.total = {a.reflected_total, a.transmitted_total};
     return s;
