@@ -2,7 +2,7 @@
 SHELL := /bin/bash
 .SHELLFLAGS := -euo pipefail -c
 .DEFAULT_GOAL := help
-.PHONY: help deps build demo test bench wheel clean
+.PHONY: help deps build demo test bench gallery wheel clean
 
 VENV := .venv
 BIN := $(VENV)/bin
@@ -15,6 +15,7 @@ help:
 	@echo 'make build   the program build/icespar, and .venv in which "import icespar" works'
 	@echo 'make test    build and run the C++ and the Python tests'
 	@echo 'make bench   error against time, and the interface at length, into bench/results'
+	@echo 'make gallery render the pictures of docs/gallery.md anew'
 	@echo 'make wheel   a Python wheel in dist/'
 	@echo 'make clean   remove what was built (.venv and out/ stay)'
 
@@ -72,6 +73,9 @@ bench: build $(VENV)/.installed-test
 	cmake --build --preset release --target icespar_bench
 	@for program in $(basename $(notdir $(wildcard bench/*.cpp))); do echo "$$program"; build/tests/$$program; done
 	$(BIN)/python bench/run.py
+
+gallery: build $(VENV)/.installed-test
+	$(BIN)/python tools/make_gallery.py
 
 wheel: $(VENV)/.installed
 	$(BIN)/python -m pip wheel . --no-deps -w dist

@@ -97,14 +97,15 @@ int main(int argc, char** argv) {
         ->check(whole(1, 400));
     render
         ->add_option("--error", arguments.options.error,
-                     "Stop when the picture's estimated relative error is below E\n"
-                     "(default 0.01 when no other bound is given)")
+                     "Stop when the picture's estimated relative error is below E")
         ->type_name("E")
         ->check(positive);
     render->add_option("--time", arguments.options.seconds, "Stop after T seconds")
         ->type_name("T")
         ->check(positive);
-    render->add_option("--spp", arguments.options.samples, "Stop after N samples a pixel")
+    render
+        ->add_option("--spp", arguments.options.samples,
+                     "Stop after N samples a pixel (default 64 when no other bound is given)")
         ->type_name("N")
         ->check(whole(1, 1 << 30));
     render->add_option("--threads", arguments.options.threads, "Threads (default: all there are)")
@@ -148,7 +149,7 @@ int main(int argc, char** argv) {
         app.parse(argc, argv);
         if (render->parsed()) {
             RenderOptions& o = arguments.options;
-            if (o.error == 0 && o.seconds == 0 && o.samples == 0) o.error = 0.01;
+            if (o.error == 0 && o.seconds == 0 && o.samples == 0) o.samples = 64;
             return render_command(arguments, std::cerr);
         }
         if (check->parsed())

@@ -1,4 +1,4 @@
-"""Quartz reflects alike however its optic axis lies, but shares what it transmits between o and e by it (Weidlich & Wilkie, figure 3)."""
+"""The optic axis hardly changes what quartz reflects, but it shares out the rest between o and e (Weidlich & Wilkie, figure 3)."""
 
 import argparse
 import pathlib

@@ -64,6 +64,7 @@ void Film::end_pass(int x, int y) {
         luminance(&sums_[p * static_cast<std::size_t>(channels() * components_)], components_);
     s.squares += (total - s.before) * (total - s.before);
     s.before = total;
+    s.samples = samples_[p];
     ++s.passes;
 }
 
@@ -71,7 +72,7 @@ double Film::error() const {
     double variance = 0, mean = 0;
     for (std::size_t p = 0; p < spread_.size(); ++p) {
         const Spread& s = spread_[p];
-        const double passes = s.passes, samples = samples_[p];
+        const double passes = s.passes, samples = s.samples;
         if (passes < 2 || samples == 0) return 0;
         mean += s.before / samples;
         // Of the sum over all passes, then of the mean.

@@ -63,7 +63,7 @@ private:
     struct Spread {
         double before = 0;   ///< luminance summed over the passes that ended
         double squares = 0;  ///< of each pass's sum
-        int passes = 0;
+        int passes = 0, samples = 0;
     };
     std::vector<double> sums_;
     std::vector<Spread> spread_;

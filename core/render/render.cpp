@@ -27,6 +27,7 @@ constexpr double patience = 0.9;
 
 constexpr int tile = 16;
 constexpr int samples_per_pass = 8;
+constexpr int default_samples = 64;
 
 /// Follows branches by roulette and adds what they see to one sample of a pixel.
 class Sampler {
@@ -149,8 +150,9 @@ Rendering render(const Scene& scene, const RenderOptions& options,
     const auto seconds = [&] {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     };
-    const double target =
-        options.samples == 0 && options.error == 0 && options.seconds == 0 ? 0.01 : options.error;
+    const int samples = options.samples == 0 && options.error == 0 && options.seconds == 0
+                            ? default_samples
+                            : options.samples;
 
     const World world(scene);
     const Palette palette(scene, options.bands);
@@ -188,7 +190,7 @@ Rendering render(const Scene& scene, const RenderOptions& options,
                     dropped[static_cast<std::size_t>(index)] += w.sampler.dropped;
                     ++paths[static_cast<std::size_t>(index)];
                 }
-                film.end_pass(x, y);
+                if ((first_sample + count) % samples_per_pass == 0) film.end_pass(x, y);
             }
         }
     };
@@ -199,8 +201,9 @@ Rendering render(const Scene& scene, const RenderOptions& options,
     int batch = 4 * arena.max_concurrency();
     bool enough = false;
     while (!report.interrupted && !enough) {
-        int count = samples_per_pass;
-        if (options.samples > 0) count = std::min(count, options.samples - report.samples);
+        // Against the clock the first pass goes by single samples, to have a whole picture soon.
+        int count = options.seconds > 0 && report.samples < samples_per_pass ? 1 : samples_per_pass;
+        if (samples > 0) count = std::min(count, samples - report.samples);
         int end = 0;
         for (int begin = 0; begin < tiles && !report.interrupted; begin = end) {
             end = std::min(begin + batch, tiles);
@@ -214,10 +217,11 @@ Rendering render(const Scene& scene, const RenderOptions& options,
             state.seconds = seconds();
             double done = 0;
             const double passes = report.samples + count * static_cast<double>(end) / tiles;
-            if (options.samples > 0) done = passes / options.samples;
+            if (samples > 0) done = passes / samples;
             if (options.seconds > 0) done = std::max(done, state.seconds / options.seconds);
-            if (target > 0 && state.error > 0) {
-                done = std::max(done, std::min(1.0, target * target / (state.error * state.error)) *
+            if (options.error > 0 && state.error > 0) {
+                done = std::max(done, std::min(1.0, options.error * options.error /
+                                                        (state.error * state.error)) *
                                           passes / std::max(1, report.samples));
             }
             state.done = std::min(1.0, done);
@@ -229,14 +233,15 @@ Rendering render(const Scene& scene, const RenderOptions& options,
         if (end == tiles) report.samples += count;
         report.error = state.error = film.error();
         state.samples = report.samples;
-        enough = (options.samples > 0 && report.samples >= options.samples) ||
+        enough = (samples > 0 && report.samples >= samples) ||
                  (options.seconds > 0 && seconds() >= options.seconds) ||
-                 (target > 0 && report.error <= target && report.samples >= 2 * samples_per_pass);
+                 (options.error > 0 && report.error <= options.error &&
+                  report.samples >= 2 * samples_per_pass);
     }
 
     for (const double d : dropped) report.dropped += d;
     for (const std::uint64_t n : paths) report.paths += n;
-    report.dropped /= static_cast<double>(report.paths);
+    if (report.paths > 0) report.dropped /= static_cast<double>(report.paths);
     for (const Worker& w : workers) {
         report.events += w.walker.events();
         report.bad_samples += w.bad;

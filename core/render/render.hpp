@@ -15,7 +15,7 @@ struct RenderOptions {
     int width = 640, height = 480;
     int samples = 0;   ///< per pixel; 0: until `error` or `seconds`
     double error = 0;  ///< stop when the picture's estimated relative RMS error is below; 0: ignore
-    double seconds = 0;  ///< stop after this time; 0: ignore. All three 0: error 0.01
+    double seconds = 0;  ///< stop after this time; 0: ignore. All three 0: 64 samples
     int threads = 0;     ///< 0: all. The picture does not depend on it (but for `seconds`)
     std::uint64_t seed = 0;
     int bands = 0;  ///< spectral bands asked for, 0 .. 400
@@ -25,8 +25,9 @@ struct RenderOptions {
 struct Progress {
     double done = 0;     ///< 0 .. 1, by whichever bound is nearest
     double seconds = 0;  ///< since the start
-    double error = 0;  ///< estimated relative RMS error of the picture so far; 0 when not known yet
-    int samples = 0;   ///< per pixel, finished
+    double error = 0;    ///< estimated relative RMS error of the picture so far; 0: not known yet
+                         ///< (fewer than 16 samples)
+    int samples = 0;     ///< per pixel, finished
 };
 
 /// Called from the rendering thread between passes and within them; false stops the render, which

@@ -89,7 +89,7 @@ class Scene:
         """Renders to an Image of `size` (width, height).
 
         The render ends with the first bound it reaches: the estimated relative RMS `error` of the picture,
-        `spp` samples a pixel, or `time` in seconds; with none given, error 0.01. The same seed and samples
+        `spp` samples a pixel, or `time` in seconds; with none given, 64 samples. The same seed and samples
         make the same bits for any number of `threads` (0: all).
         `stokes` keeps the polarisation, `spectral` that many bands of the spectrum.
         `progress` True draws a bar on a terminal or in a notebook; a function is called with a Progress
@@ -100,8 +100,6 @@ class Scene:
         width, height = _size(size)
         bounds = {"error": _positive("error", error), "seconds": _positive("time", time)}
         samples = _count("spp", spp) if spp is not None else 0
-        if not samples and not any(bounds.values()):
-            bounds["error"] = 0.01
         options = dict(
             width=width,
             height=height,

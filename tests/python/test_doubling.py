@@ -7,7 +7,7 @@ import icespar
 
 CLEAVAGE = np.radians(101.92)  # the blunt angle of calcite's rhombs
 SIZE = WIDTH, HEIGHT = 640, 480
-EYE, THICKNESS, GAP = 9.0, 1.0, 0.002  # of scenes/calcite_on_grid.spar, mm
+EYE, THICKNESS = 9.0, 1.0  # of scenes/calcite_on_grid.spar, mm
 PIXELS_PER_MM = WIDTH / (2 * EYE * np.tan(np.radians(11)))  # on the grid, seen without the rhomb
 
 
