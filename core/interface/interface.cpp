@@ -7,6 +7,7 @@
 // angles.
 #include "interface/interface.hpp"
 
+#include "interface/general_solver.hpp"
 #include "interface/local_wave.hpp"
 
 namespace icespar {
@@ -120,6 +121,10 @@ Interface::Interface(const Medium& from, const Medium& to, const Vec3& normal, c
     y_ = frame.y;
     normal_ = normal;
     kt_ = frame.kt;
+    if (!from.plain() || !to.plain()) {
+        GeneralSolver::solve(*this, from, to, frame, incident);
+        return;
+    }
     FaceMedium near(from, frame);
     FaceMedium far(to, frame);
     const bool extraordinary = incident.mode == Mode::extraordinary;
@@ -148,7 +153,7 @@ Interface::Interface(const Medium& from, const Medium& to, const Vec3& normal, c
 }
 
 Coefficients Interface::solve(const Wave& incident) const {
-    const std::size_t m = incident.mode == Mode::p || incident.mode == Mode::extraordinary ? 1 : 0;
+    const std::size_t m = mode_index(incident.mode);
     Coefficients out;
     out.reflected = reflect_[m];
     out.transmitted = transmit_[m];
@@ -156,6 +161,26 @@ Coefficients Interface::solve(const Wave& incident) const {
         out.reflected_power[i] = std::norm(out.reflected[i]) * reflected_.flux[i] / flux_in_[m];
         out.transmitted_power[i] =
             std::norm(out.transmitted[i]) * transmitted_.flux[i] / flux_in_[m];
+    }
+    if (general_) {
+        GeneralSolver::add_totals(*this, m, out);
+    } else {
+        out.reflected_total = out.reflected_power[0] + out.reflected_power[1];
+        out.transmitted_total = out.transmitted_power[0] + out.transmitted_power[1];
+    }
+    return out;
+}
+
+SummedFields Interface::summed_fields(const Wave& incident) const {
+    const std::size_t m = mode_index(incident.mode);
+    if (general_) return GeneralSolver::fields(*this, m);
+    SummedFields out;
+    for (std::size_t i = 0; i < 2; ++i) {
+        const Wave r = reflected(i), t = transmitted(i);
+        out.reflected_E += reflect_[m][i] * r.E;
+        out.reflected_H += reflect_[m][i] * r.H;
+        out.transmitted_E += transmit_[m][i] * t.E;
+        out.transmitted_H += transmit_[m][i] * t.H;
     }
     return out;
 }
@@ -165,17 +190,16 @@ Complex Interface::flux_amplitude(std::size_t m, bool transmitted, std::size_t i
     return std::sqrt(flux / flux_in_[m]) * (transmitted ? transmit_ : reflect_)[m][i];
 }
 
-Wave Interface::built(const Side& side, const Medium& medium, std::size_t i) const {
+Wave Interface::built(const Side& side, const MediumCore& medium, std::size_t i) const {
     Wave w;
-    w.mode = medium.birefringent ? (i == 0 ? Mode::ordinary : Mode::extraordinary)
-                                 : (i == 0 ? Mode::s : Mode::p);
+    w.mode = modes_of(medium)[i];
     w.propagating = side.propagating[i];
-    w.k = complexified(kt_ * x_) + side.q[i] * normal_;
+    w.k = kt_ * x_ + side.q[i] * normal_;
     w.E = side.E[i].x * x_ + side.E[i].y * y_ + side.E[i].z * normal_;
-    w.H = cross(w.k, w.E);
+    w.H = medium.magnetic_field(w.k, w.E);
     const Vec3 k = real(w.k);
     w.n_phase = length(k);
-    if (!w.propagating) {
+    if (!w.propagating || !medium.plain()) {
         const Vec3 flow = real(cross(w.E, conj(w.H)));
         const double size = length(flow);
         w.ray = size > 0 ? flow / size : x_;

@@ -8,7 +8,10 @@
 namespace icespar {
 
 /// The four waves that leave a face for a given tangential wave vector. Index 0 and 1 are s and p
-/// (isotropic) or o and e (uniaxial).
+/// (isotropic), o and e (uniaxial), or fast and slow (biaxial, active): inner and outer sheet of
+/// the surface of wave vectors, also where a line along the normal meets the outer sheet four
+/// times, beside an optic axis at grazing emergence; the wave that lies further in is then called
+/// fast.
 struct OutgoingWaves {
     std::array<Wave, 2> reflected, transmitted;
 };
@@ -18,6 +21,16 @@ struct Coefficients {
     std::array<Complex, 2> reflected, transmitted;  ///< amplitudes of the waves' E
     std::array<double, 2> reflected_power,
         transmitted_power;  ///< parts of the incident normal flux
+    /// Normal flux of both waves together at the face over the incident one. In a transparent
+    /// medium it is the sum of their powers; where a medium absorbs, the two also interfere. With a
+    /// transparent first medium both totals add to 1.
+    double reflected_total = 0, transmitted_total = 0;
+};
+
+/// Summed tangential and normal fields of the waves of each side, just at the face, for incident
+/// |E| = 1: well defined also where two waves merge.
+struct SummedFields {
+    CVec3 reflected_E, reflected_H, transmitted_E, transmitted_H;
 };
 
 /// A face with everything that the waves of one incident wave vector share.
@@ -31,6 +44,8 @@ public:
     /// Coefficients of the incident wave given, or of another wave with the same wave vector: in an
     /// isotropic medium s and p share one face.
     [[nodiscard]] Coefficients solve(const Wave& incident) const;
+
+    [[nodiscard]] SummedFields summed_fields(const Wave& incident) const;
 
     /// The four outgoing waves in full, and one of them.
     [[nodiscard]] OutgoingWaves waves() const;
@@ -47,7 +62,7 @@ public:
     [[nodiscard]] Complex flux_amplitude(std::size_t m, bool transmitted, std::size_t i) const;
     /// Of a propagating wave: its wave vector, and its unit E, which is real.
     [[nodiscard]] Vec3 wave_vector(bool transmitted, std::size_t i) const {
-        return kt_ * x_ + (transmitted ? transmitted_ : reflected_).q[i].real() * normal_;
+        return kt_.real() * x_ + (transmitted ? transmitted_ : reflected_).q[i].real() * normal_;
     }
     [[nodiscard]] Vec3 field_direction(bool transmitted, std::size_t i) const {
         const CVec3& E = (transmitted ? transmitted_ : reflected_).E[i];
@@ -56,6 +71,7 @@ public:
 
 private:
     friend struct FaceSolver;
+    friend struct GeneralSolver;
     /// Outgoing waves of one side in the face's frame: x along the tangential wave vector, z =
     /// normal.
     struct Side {
@@ -65,14 +81,20 @@ private:
         std::array<bool, 2> propagating;
     };
 
-    [[nodiscard]] Wave built(const Side& side, const Medium& medium, std::size_t i) const;
+    [[nodiscard]] Wave built(const Side& side, const MediumCore& medium, std::size_t i) const;
 
-    Medium from_, to_;
+    MediumCore from_, to_;
     Vec3 x_, y_, normal_;
-    double kt_ = 0;  ///< tangential wave number
+    Complex kt_ = 0;  ///< tangential wave number
+    bool general_ = false;
     Side reflected_, transmitted_;
     std::array<double, 2> flux_in_{};  ///< normal flux of the incident waves of |E| = 1
     std::array<std::array<Complex, 2>, 2> reflect_, transmit_;  ///< [incident mode][outgoing mode]
+    /// General media only, else without value, by [incident mode]: real and imaginary parts of the
+    /// summed reflected E, H and transmitted E, H in the face's frame; their normal flux over the
+    /// incident one.
+    std::array<std::array<double, 24>, 2> summed_;
+    std::array<double, 2> reflected_flux_, transmitted_flux_;
 };
 
 }  // namespace icespar

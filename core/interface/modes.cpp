@@ -1,16 +1,120 @@
 // Plane waves of a medium from a direction.
 #include "interface/crystal_frame.hpp"
 #include "interface/face_frame.hpp"
+#include "interface/half_space.hpp"
 #include "interface/wave.hpp"
 #include "math/error.hpp"
 
 namespace icespar {
+namespace {
+
+void require_mode(const Medium& medium, Mode mode) {
+    const auto fitting = modes_of(medium);
+    if (mode == fitting[0] || mode == fitting[1]) return;
+    switch (fitting[0]) {
+        case Mode::s:
+            throw Error("an isotropic medium has the modes s and p");
+        case Mode::ordinary:
+            throw Error("a uniaxial medium has the modes o and e");
+        default:
+            throw Error("a biaxial or active medium has the modes fast and slow");
+    }
+}
+
+Wave finished(const Medium& medium, Mode mode, const CVec3& k, const CVec3& E) {
+    Wave w;
+    w.mode = mode;
+    w.k = k;
+    w.E = E;
+    w.H = medium.magnetic_field(k, E);
+    w.ray = normalised(real(cross(w.E, conj(w.H))));
+    w.n_phase = length(real(k));
+    w.n_ray = dot(real(k), w.ray);
+    return w;
+}
+
+/// Both waves of a wave normal: those that leave a face across it with no tangential wave vector.
+std::array<Wave, 2> waves_of_normal(const Medium& medium, const Vec3& direction) {
+    const FaceFrame face(direction, direction);
+    const HalfSpace h(medium, face, 0.0, +1, nullptr);
+    const auto names = modes_of(medium);
+    std::array<Wave, 2> out;
+    for (std::size_t i = 0; i < 2; ++i) {
+        out[i] = finished(medium, names[i], h.q[i] * direction, face.from_face(h.E[i]));
+    }
+    return out;
+}
+
+/// Both waves of a ray in a transparent medium without activity, by the dual of the wave-normal
+/// problem: E across the ray, (eps across the ray) E = n_ray^2 E (Born & Wolf, 15.2.3).
+std::array<Wave, 2> waves_of_ray(const Medium& medium, const Vec3& ray) {
+    const Vec3 x = any_perpendicular(ray), y = cross(ray, x);
+    const RealTensor full = real(medium.permittivity());
+    // Without the multiple of the identity, which turns no axis and would drown small differences.
+    const double mean = full.zz;
+    RealTensor eps = full;
+    eps.xx -= mean;
+    eps.yy -= mean;
+    eps.zz = 0;
+    const double half = 0.5 * (dot(x, eps * x) - dot(y, eps * y)), off = dot(x, eps * y);
+    const double angle = half == 0 && off == 0 ? 0 : 0.5 * std::atan2(off, half);
+    const Vec3 major = std::cos(angle) * x + std::sin(angle) * y;
+    const std::array<Vec3, 2> fields{cross(ray, major), major};
+    std::array<Wave, 2> out;
+    for (std::size_t i = 0; i < 2; ++i) {
+        const Vec3 D = full * fields[i];
+        const double n_ray = std::sqrt(dot(fields[i], D));
+        // k lies in the plane of ray and D, across D, with k . ray = n_ray.
+        const Vec3 w = ray - (dot(ray, D) / dot(D, D)) * D;
+        const Vec3 k = (n_ray / dot(w, w)) * w;
+        out[i] = finished(medium, Mode::slow, complexified(k), complexified(fields[i]));
+        out[i].ray = ray;
+        out[i].n_ray = n_ray;
+        // Fast if the other wave of this wave normal has the larger index.
+        const Vec3 u = k / out[i].n_phase, a = normalised(D), b = cross(u, a);
+        const RealTensor eta = full.inverse();
+        const bool fast = dot(b, eta * b) < dot(a, eta * a);
+        out[i].mode = fast ? Mode::fast : Mode::slow;
+    }
+    return out;
+}
+
+}  // namespace
+
+std::array<Wave, 2> waves_along(const Medium& medium, const Vec3& direction, By by,
+                                const Vec3& normal) {
+    const auto names = modes_of(medium);
+    if (names[0] != Mode::fast) {
+        return {plane_wave(medium, names[0], direction, by, normal),
+                plane_wave(medium, names[1], direction, by, normal)};
+    }
+    if (by == By::wave_normal) return waves_of_normal(medium, direction);
+    if (medium.absorbing || medium.active()) {
+        throw Error("waves by ray direction are known for transparent media without activity only");
+    }
+    return waves_of_ray(medium, direction);
+}
 
 Wave plane_wave(const Medium& medium, Mode mode, const Vec3& direction, By by, const Vec3& normal) {
-    const bool crystal_mode = mode == Mode::ordinary || mode == Mode::extraordinary;
-    if (crystal_mode != medium.birefringent) {
-        throw Error(crystal_mode ? "an isotropic medium has the modes s and p, not o and e"
-                                 : "a uniaxial medium has the modes o and e, not s and p");
+    require_mode(medium, mode);
+    if (mode == Mode::fast || mode == Mode::slow) {
+        const auto both = waves_along(medium, direction, by, normal);
+        const std::size_t wanted = mode_index(mode);
+        if (both[wanted].mode == mode) return both[wanted];
+        if (both[1 - wanted].mode == mode) return both[1 - wanted];
+        throw Error("both waves of this ray are slow: it lies inside the cone of an optic axis");
+    }
+    if (medium.absorbing) {
+        if (by == By::ray) {
+            throw Error("waves by ray direction are known for transparent media only");
+        }
+        if (medium.symmetry == Symmetry::uniaxial) {
+            return waves_of_normal(medium, direction)[mode_index(mode)];
+        }
+        const Complex n(medium.n_o, medium.kappa_o);
+        const FaceFrame face(normal, direction);
+        const Vec3 E = mode == Mode::s ? face.y : cross(direction, face.y);
+        return finished(medium, mode, n * direction, complexified(E));
     }
     const double eps_o = medium.n_o * medium.n_o, eps_e = medium.n_e * medium.n_e;
     const CrystalFrame crystal(medium.axis);

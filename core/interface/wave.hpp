@@ -1,20 +1,37 @@
 // Plane waves in a medium: Re[E exp(i(k . r - w t))], k in units of w/c.
 #pragma once
 
+#include <array>
+
 #include "crystal/medium.hpp"
 #include "math/vec3.hpp"
 
 namespace icespar {
 
-/// s and p: isotropic media, with respect to a face. Ordinary and extraordinary: uniaxial media.
-enum class Mode { s, p, ordinary, extraordinary };
+/// s and p: isotropic media, with respect to a face. Ordinary and extraordinary: uniaxial media
+/// without activity. Fast and slow: biaxial and active media; fast is the wave of smaller index for
+/// its wave normal.
+enum class Mode { s, p, ordinary, extraordinary, fast, slow };
+
+/// The names of a medium's two waves.
+[[nodiscard]] inline std::array<Mode, 2> modes_of(const MediumCore& m) {
+    if (m.symmetry == Symmetry::biaxial || m.active()) return {Mode::fast, Mode::slow};
+    if (m.symmetry == Symmetry::uniaxial) return {Mode::ordinary, Mode::extraordinary};
+    return {Mode::s, Mode::p};
+}
+
+/// Place of a mode in its pair.
+[[nodiscard]] inline std::size_t mode_index(Mode m) {
+    return m == Mode::p || m == Mode::extraordinary || m == Mode::slow ? 1 : 0;
+}
 
 struct Wave {
     Mode mode = Mode::s;
-    bool propagating = true;  ///< false: evanescent, decays away from the face, carries no power
+    bool propagating = true;  ///< false: evanescent, decays away from the face, carries no power;
+                              ///< true for every wave of an absorbing medium
     CVec3 k;                  ///< wave vector; real when propagating
     CVec3 E;                  ///< unit Hermitian norm
-    CVec3 H;                  ///< k x E
+    CVec3 H;                  ///< k x E (+ i alpha E in an active medium)
     Vec3 ray;                 ///< unit direction of the mean energy flow, Re(E x H*)
     double n_phase = 1;       ///< |Re k|
     double n_ray = 1;         ///< Re k . ray = n_phase cos(walk-off)
@@ -24,7 +41,7 @@ struct Wave {
 };
 
 /// Unit direction of the energy of a propagating extraordinary wave, along eps k.
-[[nodiscard]] inline Vec3 extraordinary_ray(const Medium& medium, const Vec3& k) {
+[[nodiscard]] inline Vec3 extraordinary_ray(const MediumCore& medium, const Vec3& k) {
     const double eps_o = medium.n_o * medium.n_o, eps_e = medium.n_e * medium.n_e;
     return normalised(eps_o * k + ((eps_e - eps_o) * dot(k, medium.axis)) * medium.axis);
 }
@@ -34,8 +51,16 @@ enum class By { wave_normal, ray };
 /// The propagating wave of the given mode along a unit direction. s and p (isotropic) refer to the
 /// face with unit normal `normal`: s = normal x k, p = k x s; at normal incidence s is a fixed
 /// vector in the face. In a uniaxial medium o has E along k x axis, e along axis - k (k . axis) /
-/// n_o^2; for k along the axis both are fixed perpendicular vectors across it.
+/// n_o^2; for k along the axis both are fixed perpendicular vectors across it. In an absorbing
+/// medium the wave is homogeneous: k = (n + i kappa) direction. Throws Error for a mode that the
+/// medium does not have, and for ray directions in absorbing or active media.
 [[nodiscard]] Wave plane_wave(const Medium& medium, Mode mode, const Vec3& direction, By by,
                               const Vec3& normal);
+
+/// Both waves of a direction. By ray, a biaxial crystal can answer with two slow waves: rays inside
+/// the cone of internal conical refraction. Along a biradial every E across the ray is a solution,
+/// each with its own wave normal (external conical refraction); two of them are returned.
+[[nodiscard]] std::array<Wave, 2> waves_along(const Medium& medium, const Vec3& direction, By by,
+                                              const Vec3& normal);
 
 }  // namespace icespar

@@ -168,7 +168,7 @@ void bind_optics(py::module_& module) {
     py::class_<Medium>(module, "Medium",
                        "A transparent medium at one wavelength: isotropic or uniaxial.\n\n"
                        "Indices are relative to vacuum. Make one with `isotropic` or `uniaxial`.")
-        .def_static("isotropic", &Medium::isotropic, "n"_a,
+        .def_static("isotropic", static_cast<Medium (*)(double)>(&Medium::isotropic), "n"_a,
                     "A medium with one index n > 0. ValueError when it is not positive and finite.")
         .def_static(
             "uniaxial",

@@ -1,0 +1,16 @@
+// The boundary problem for any pair of media; Interface calls it where no closed form applies.
+#pragma once
+
+#include "interface/face_frame.hpp"
+#include "interface/interface.hpp"
+
+namespace icespar {
+
+struct GeneralSolver {
+    static void solve(Interface& out, const Medium& from, const Medium& to, const FaceFrame& frame,
+                      const Wave& incident);
+    static void add_totals(const Interface& face, std::size_t mode, Coefficients& out);
+    static SummedFields fields(const Interface& face, std::size_t mode);
+};
+
+}  // namespace icespar

@@ -1,0 +1,15 @@
+// The outgoing waves of a crystal that is almost isotropic.
+#pragma once
+
+#include "interface/plane.hpp"
+
+namespace icespar {
+
+/// The outgoing plane of a crystal that is almost isotropic, eps = mean I + deviation, as a
+/// perturbation of the isotropic one, so that its two waves keep their own precision: H = X E and
+/// D = q + M on the plane, M of the size of the deviation. X solves a Riccati equation whose linear
+/// part is -2 q; false where the deviation is not small beside q.
+bool nearly_isotropic(double mean, const RealTensor& dev, double K, int sign, Plane<double>& plane,
+                      double (&M)[2][2], double& q);
+
+}  // namespace icespar

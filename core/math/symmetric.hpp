@@ -1,0 +1,76 @@
+// Symmetric 3 x 3 tensors, real or complex, and the principal axes of real ones.
+#pragma once
+
+#include <array>
+
+#include "math/vec3.hpp"
+
+namespace icespar {
+
+template <class T>
+struct SymmetricTensor {
+    T xx{}, yy{}, zz{}, yz{}, xz{}, xy{};
+
+    static SymmetricTensor diagonal(const T& x, const T& y, const T& z) {
+        return {x, y, z, {}, {}, {}};
+    }
+
+    friend constexpr bool operator==(const SymmetricTensor&, const SymmetricTensor&) = default;
+    friend SymmetricTensor operator+(const SymmetricTensor& a, const SymmetricTensor& b) {
+        return {a.xx + b.xx, a.yy + b.yy, a.zz + b.zz, a.yz + b.yz, a.xz + b.xz, a.xy + b.xy};
+    }
+    friend SymmetricTensor operator*(const T& f, const SymmetricTensor& a) {
+        return {f * a.xx, f * a.yy, f * a.zz, f * a.yz, f * a.xz, f * a.xy};
+    }
+    template <class S>
+    friend auto operator*(const SymmetricTensor& a, const Vector3<S>& v)
+        -> Vector3<decltype(a.xx * v.x)> {
+        return {a.xx * v.x + a.xy * v.y + a.xz * v.z, a.xy * v.x + a.yy * v.y + a.yz * v.z,
+                a.xz * v.x + a.yz * v.y + a.zz * v.z};
+    }
+
+    [[nodiscard]] T determinant() const {
+        return xx * (yy * zz - yz * yz) - xy * (xy * zz - yz * xz) + xz * (xy * yz - yy * xz);
+    }
+    /// The tensor must not be singular.
+    [[nodiscard]] SymmetricTensor inverse() const {
+        const T d = determinant();
+        return {(yy * zz - yz * yz) / d, (xx * zz - xz * xz) / d, (xx * yy - xy * xy) / d,
+                (xy * xz - xx * yz) / d, (xy * yz - yy * xz) / d, (xz * yz - xy * zz) / d};
+    }
+    /// Components in the orthonormal frame x, y, z.
+    [[nodiscard]] SymmetricTensor in_frame(const Vec3& x, const Vec3& y, const Vec3& z) const {
+        const auto ax = *this * x, ay = *this * y, az = *this * z;
+        return {dot(x, ax), dot(y, ay), dot(z, az), dot(y, az), dot(x, az), dot(x, ay)};
+    }
+};
+
+using RealTensor = SymmetricTensor<double>;
+using ComplexTensor = SymmetricTensor<Complex>;
+
+inline RealTensor real(const ComplexTensor& t) {
+    return {t.xx.real(), t.yy.real(), t.zz.real(), t.yz.real(), t.xz.real(), t.xy.real()};
+}
+inline RealTensor imag(const ComplexTensor& t) {
+    return {t.xx.imag(), t.yy.imag(), t.zz.imag(), t.yz.imag(), t.xz.imag(), t.xy.imag()};
+}
+inline ComplexTensor complexified(const RealTensor& t) {
+    return {t.xx, t.yy, t.zz, t.yz, t.xz, t.xy};
+}
+
+/// v v^T.
+template <class T>
+SymmetricTensor<T> dyad(const Vector3<T>& v) {
+    return {v.x * v.x, v.y * v.y, v.z * v.z, v.y * v.z, v.x * v.z, v.x * v.y};
+}
+
+/// Rising eigenvalues with a right-handed orthonormal set of eigenvectors.
+struct PrincipalAxes {
+    std::array<double, 3> values;
+    std::array<Vec3, 3> axes;
+};
+
+/// By Jacobi rotations; accurate to a few roundings of the largest element.
+[[nodiscard]] PrincipalAxes principal_axes(const RealTensor& tensor);
+
+}  // namespace icespar
