@@ -57,6 +57,20 @@ std::vector<std::string> camera_faults(const Scene& scene) {
 
 std::vector<std::string> faults(const Scene& scene) {
     std::vector<std::string> out;
+    // Inside a stone only facets are met: what stands there would be passed over in silence.
+    for (const Light& light : scene.lights) {
+        if (const Gem* gem = gem_around(scene, light.position)) {
+            out.push_back(gem->name + ": a light source is inside this stone; move it out");
+        }
+    }
+    for (const Thing& thing : scene.things) {
+        if (std::holds_alternative<PlaneShape>(thing.shape)) continue;
+        const bool sphere = std::holds_alternative<SphereShape>(thing.shape);
+        const Vec3 middle = thing.to_world.point(sphere ? Vec3{} : Vec3{0.5, 0.5, 0.5});
+        if (const Gem* gem = gem_around(scene, middle)) {
+            out.push_back(gem->name + ": an opaque object is inside this stone; move it out");
+        }
+    }
     for (std::size_t i = 0; i < scene.gems.size(); ++i) {
         const Gem& gem = scene.gems[i];
         check_gem(gem, out);

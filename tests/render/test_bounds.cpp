@@ -117,6 +117,21 @@ TEST_CASE("a closed room of perfectly white walls is rendered in bounded time",
     CHECK(out.report.bad_samples == 0);
 }
 
+TEST_CASE("what stands inside a stone is refused, not passed over", "[render][bounds]") {
+    Scene scene;
+    scene.gems.push_back({cube_stone(), glass(1.5), "cube"});
+    CHECK(faults(scene).empty());
+    scene.lights.push_back({{0, 0, 0.1}});
+    REQUIRE(faults(scene).size() == 1);
+    CHECK_THAT(faults(scene)[0], Contains("light source is inside"));
+    Thing ball;
+    ball.shape = SphereShape{};
+    ball.to_world = Transform::scaling({0.1, 0.1, 0.1});
+    scene.things.push_back(ball);
+    REQUIRE(faults(scene).size() == 2);
+    CHECK_THAT(faults(scene)[1], Contains("opaque object is inside"));
+}
+
 TEST_CASE("options that make no sense are refused with what would", "[render][bounds]") {
     const Scene scene = picture_scene(glass(1.5), furnace());
     const auto message = [&](auto change) -> std::string {
