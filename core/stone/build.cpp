@@ -69,7 +69,7 @@ std::string open_directions(const std::vector<Vec3>& open) {
 }
 
 /// Beyond these, products of coordinates leave the range of double.
-constexpr double largest_length = 1e30, largest_normal = 1e60;
+constexpr double largest_length = 1e30, largest_normal = 1e200;
 
 void check_plane(const FacetPlane& plane, std::size_t index) {
     const bool finite = is_finite(plane.normal) && std::isfinite(plane.distance) &&
