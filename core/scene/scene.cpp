@@ -11,6 +11,20 @@ bool inside(const Stone& stone, const Vec3& point) {
     return !stone.facets.empty();
 }
 
+/// Points of a thing's surface: a sphere's six poles, a box's corners; none of a plane's.
+std::vector<Vec3> outermost_points(const Thing& thing) {
+    std::vector<Vec3> out;
+    if (std::holds_alternative<PlaneShape>(thing.shape)) return out;
+    const bool sphere = std::holds_alternative<SphereShape>(thing.shape);
+    for (int i = 0; i < (sphere ? 6 : 8); ++i) {
+        const double sign = i % 2 == 0 ? 1 : -1;
+        const Vec3 pole = i < 2 ? Vec3{sign, 0, 0} : i < 4 ? Vec3{0, sign, 0} : Vec3{0, 0, sign};
+        const Vec3 corner{i & 1 ? 1.0 : 0.0, i & 2 ? 1.0 : 0.0, i & 4 ? 1.0 : 0.0};
+        out.push_back(thing.to_world.point(sphere ? pole : corner));
+    }
+    return out;
+}
+
 void check_gem(const Gem& gem, std::vector<std::string>& out) {
     if (gem.stone.facets.size() < 4) out.push_back(gem.name + ": this stone is not closed");
     for (const Facet& f : gem.stone.facets) {
@@ -64,11 +78,11 @@ std::vector<std::string> faults(const Scene& scene) {
         }
     }
     for (const Thing& thing : scene.things) {
-        if (std::holds_alternative<PlaneShape>(thing.shape)) continue;
-        const bool sphere = std::holds_alternative<SphereShape>(thing.shape);
-        const Vec3 middle = thing.to_world.point(sphere ? Vec3{} : Vec3{0.5, 0.5, 0.5});
-        if (const Gem* gem = gem_around(scene, middle)) {
-            out.push_back(gem->name + ": an opaque object is inside this stone; move it out");
+        for (const Vec3& point : outermost_points(thing)) {
+            if (const Gem* gem = gem_around(scene, point)) {
+                out.push_back(gem->name + ": an opaque object is inside this stone; move it out");
+                break;
+            }
         }
     }
     for (std::size_t i = 0; i < scene.gems.size(); ++i) {

@@ -98,8 +98,8 @@ struct Scene {
     std::string title;        ///< first comment line of the file
 };
 
-/// Faults of a finished scene that would make a wrong picture: overlapping gems, lights and opaque
-/// objects whose middle is inside a gem, an index below 1, numbers that are not finite. Empty when all is well.
+/// Faults of a finished scene that would make a wrong picture: overlapping gems, lights and corners
+/// or poles of opaque objects inside a gem, an index below 1, numbers that are not finite. Empty when all is well.
 [[nodiscard]] std::vector<std::string> faults(const Scene& scene);
 
 /// The same for its camera, which must not stand inside a gem.
