@@ -115,6 +115,8 @@ def test_an_exception_of_that_function_ends_the_render(calcite_box):
 
 def test_ctrl_c_raises_keyboard_interrupt(calcite_box):
     timer = threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT))
+    # A shell's background jobs, such as a runner's, are started with SIGINT ignored.
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
     start = time.monotonic()
     timer.start()
     try:
@@ -122,6 +124,7 @@ def test_ctrl_c_raises_keyboard_interrupt(calcite_box):
             calcite_box.render(size=(256, 256), time=60, progress=False)
     finally:
         timer.cancel()
+        signal.signal(signal.SIGINT, before)
     assert time.monotonic() - start < 10
 
 
