@@ -39,7 +39,9 @@ struct SymmetricTensor {
                 (xy * xz - xx * yz) / d, (xy * yz - yy * xz) / d, (xz * yz - xy * zz) / d};
     }
     /// Components in the orthonormal frame x, y, z.
-    [[nodiscard]] SymmetricTensor in_frame(const Vec3& x, const Vec3& y, const Vec3& z) const {
+    template <class R>
+    [[nodiscard]] SymmetricTensor in_frame(const Vector3<R>& x, const Vector3<R>& y,
+                                           const Vector3<R>& z) const {
         const auto ax = *this * x, ay = *this * y, az = *this * z;
         return {dot(x, ax), dot(y, ay), dot(z, az), dot(y, az), dot(x, az), dot(x, ay)};
     }
@@ -48,14 +50,23 @@ struct SymmetricTensor {
 using RealTensor = SymmetricTensor<double>;
 using ComplexTensor = SymmetricTensor<Complex>;
 
-inline RealTensor real(const ComplexTensor& t) {
+template <class R>
+SymmetricTensor<R> real(const SymmetricTensor<std::complex<R>>& t) {
     return {t.xx.real(), t.yy.real(), t.zz.real(), t.yz.real(), t.xz.real(), t.xy.real()};
 }
-inline RealTensor imag(const ComplexTensor& t) {
+template <class R>
+SymmetricTensor<R> imag(const SymmetricTensor<std::complex<R>>& t) {
     return {t.xx.imag(), t.yy.imag(), t.zz.imag(), t.yz.imag(), t.xz.imag(), t.xy.imag()};
 }
-inline ComplexTensor complexified(const RealTensor& t) {
+template <class R>
+SymmetricTensor<std::complex<R>> complexified(const SymmetricTensor<R>& t) {
     return {t.xx, t.yy, t.zz, t.yz, t.xz, t.xy};
+}
+
+/// The same tensor in numbers of another type.
+template <class To, class T>
+SymmetricTensor<To> converted(const SymmetricTensor<T>& t) {
+    return {To(t.xx), To(t.yy), To(t.zz), To(t.yz), To(t.xz), To(t.xy)};
 }
 
 /// v v^T.

@@ -53,29 +53,52 @@ constexpr auto cross(const Vector3<S>& a, const Vector3<T>& b) {
     return Vector3<R>{a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-inline double length(const Vec3& v) { return std::sqrt(dot(v, v)); }
+template <class R = double>
+R length(const Vector3<R>& v) {
+    return std::sqrt(dot(v, v));
+}
 
 /// Hermitian norm.
-inline double length(const CVec3& v) {
+template <class R = double>
+R length(const Vector3<std::complex<R>>& v) {
     return std::sqrt(std::norm(v.x) + std::norm(v.y) + std::norm(v.z));
 }
 
 /// The unit vector along v; v must not be zero.
-inline Vec3 normalised(const Vec3& v) { return v / length(v); }
+template <class R = double>
+Vector3<R> normalised(const Vector3<R>& v) {
+    return v / length(v);
+}
 
-inline CVec3 conj(const CVec3& v) { return {std::conj(v.x), std::conj(v.y), std::conj(v.z)}; }
-inline Vec3 real(const CVec3& v) { return {v.x.real(), v.y.real(), v.z.real()}; }
-inline CVec3 complexified(const Vec3& v) { return {v.x, v.y, v.z}; }
+template <class R>
+Vector3<std::complex<R>> conj(const Vector3<std::complex<R>>& v) {
+    return {std::conj(v.x), std::conj(v.y), std::conj(v.z)};
+}
+template <class R>
+Vector3<R> real(const Vector3<std::complex<R>>& v) {
+    return {v.x.real(), v.y.real(), v.z.real()};
+}
+template <class R>
+Vector3<std::complex<R>> complexified(const Vector3<R>& v) {
+    return {v.x, v.y, v.z};
+}
+
+/// The same vector in numbers of another type.
+template <class To, class T>
+Vector3<To> converted(const Vector3<T>& v) {
+    return {To(v.x), To(v.y), To(v.z)};
+}
 
 inline bool is_finite(const Vec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
 /// A unit vector perpendicular to the unit vector n (Duff et al. 2017, branch-free frame).
-inline Vec3 any_perpendicular(const Vec3& n) {
-    const double sign = std::copysign(1.0, n.z);
-    const double a = -1.0 / (sign + n.z);
-    return {1.0 + sign * n.x * n.x * a, sign * n.x * n.y * a, -sign * n.x};
+template <class R = double>
+Vector3<R> any_perpendicular(const Vector3<R>& n) {
+    const R sign = std::copysign(R(1), n.z);
+    const R a = R(-1) / (sign + n.z);
+    return {R(1) + sign * n.x * n.x * a, sign * n.x * n.y * a, -sign * n.x};
 }
 
 }  // namespace icespar
