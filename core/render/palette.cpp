@@ -25,6 +25,9 @@ Emitter::Emitter(Spectrum spectrum, int band_count)
 Palette::Palette(const Scene& scene, int band_count)
     : below(scene.environment.illuminant * scene.environment.below, band_count),
       above(scene.environment.illuminant * scene.environment.above, band_count) {
+    for (const Disc& disc : scene.environment.discs) {
+        discs.emplace_back(scene.environment.illuminant * disc.radiance, band_count);
+    }
     for (const Thing& thing : scene.things) {
         things.push_back({Emitter(thing.pigment.first * white(), band_count),
                           Emitter(thing.pigment.second * white(), band_count)});

@@ -29,6 +29,7 @@ struct Palette {
     };
     std::vector<Paint> things;
     Emitter below, above;  ///< the environment's ends
+    std::vector<Emitter> discs;
     Palette(const Scene& scene, int band_count);
 };
 

@@ -193,6 +193,11 @@ private:
         const double height = 0.5 * (1 + dot(b.ray, sky.up));
         guide.see(palette_.below, (1 - height) * seen, b.one_wavelength);
         guide.see(palette_.above, height * seen, b.one_wavelength);
+        for (std::size_t i = 0; i < sky.discs.size(); ++i) {
+            if (dot(b.ray, sky.discs[i].direction) >= sky.discs[i].cos_radius) {
+                guide.see(palette_.discs[i], seen, b.one_wavelength);
+            }
+        }
     }
 
     void meet_thing(const Branch& b, const Vec3& point, const Hit& hit, Guide& guide) {

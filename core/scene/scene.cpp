@@ -71,6 +71,12 @@ std::vector<std::string> camera_faults(const Scene& scene) {
 
 std::vector<std::string> faults(const Scene& scene) {
     std::vector<std::string> out;
+    for (const Disc& disc : scene.environment.discs) {
+        constexpr double rounding = 1e-9;
+        if (!(std::abs(length(disc.direction) - 1) < rounding) || !std::isfinite(disc.cos_radius)) {
+            out.push_back("environment: a disc's direction must be a unit vector, its size finite");
+        }
+    }
     // Inside a stone only facets are met: what stands there would be passed over in silence.
     for (const Light& light : scene.lights) {
         if (const Gem* gem = gem_around(scene, light.position)) {

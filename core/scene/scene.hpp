@@ -78,12 +78,21 @@ struct Light {
     double fade_distance = 0, fade_power = 0;  ///< POV-Ray's attenuation 2/(1+(d/fd)^fp); 0: none
 };
 
+/// A round lamp at infinity with a sharp edge: it adds to the radiance of the directions whose
+/// cosine with `direction` is at least `cos_radius`.
+struct Disc {
+    Vec3 direction;  ///< unit, away from the scene
+    double cos_radius = 1;
+    Spectrum radiance{0.0};  ///< coloured value, times the illuminant
+};
+
 /// What surrounds the scene. Radiance from direction d (pointing away from the scene) is a linear
-/// blend over d's height along `up`: `below` at -1, `above` at +1.
+/// blend over d's height along `up`: `below` at -1, `above` at +1; discs add to it.
 struct Environment {
     Spectrum illuminant = white();  ///< radiance of value 1
     Spectrum below{0.0}, above{0.0};  ///< coloured values, times the illuminant
     Vec3 up{0, 1, 0};
+    std::vector<Disc> discs{};
     /// Polarisation for one who looks at the source, x right, y (world up) up; s0 = 1.
     Stokes state{1, 0, 0, 0};
 };
