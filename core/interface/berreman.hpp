@@ -3,7 +3,6 @@
 #pragma once
 
 #include <array>
-#include <type_traits>
 
 #include "interface/quartic.hpp"
 #include "math/symmetric.hpp"
@@ -19,7 +18,7 @@ using Matrix4 = std::array<std::array<T, 4>, 4>;
 template <class T>
 struct LocalMedium {
     SymmetricTensor<T> eps;
-    RealTensor alpha{};
+    SymmetricTensor<Real<T>> alpha{};
     bool active = false;
 };
 
@@ -30,7 +29,7 @@ struct Berreman {
 
     Berreman(const LocalMedium<T>& m, const T& K) {
         const auto& e = m.eps;
-        if constexpr (!std::is_same_v<T, double>) {
+        if constexpr (is_complex<T>) {
             if (m.active) {
                 with_activity(m, K);
                 return;
@@ -42,7 +41,7 @@ struct Berreman {
             d[2][j] = -e.yz * ez[j];
             d[3][j] = e.xz * ez[j];
         }
-        d[0][3] += 1.0;
+        d[0][3] += T(1);
         d[1][2] = T(-1);
         d[2][0] -= e.xy;
         d[2][1] += K * K - e.yy;
@@ -52,6 +51,7 @@ struct Berreman {
 
     /// Characteristic polynomial, by the traces of powers (Newton's identities).
     [[nodiscard]] Quartic<T> characteristic(const Matrix4<T>& square) const {
+        using R = Real<T>;
         T t1{}, t2{}, t3{}, t4{};
         for (std::size_t i = 0; i < 4; ++i) {
             t1 += d[i][i];
@@ -61,10 +61,10 @@ struct Berreman {
                 t4 += square[i][j] * square[j][i];
             }
         }
-        return {
-            -t1, 0.5 * (t1 * t1 - t2), -(t1 * t1 * t1 - 3.0 * t1 * t2 + 2.0 * t3) / 6.0,
-            (t1 * t1 * t1 * t1 - 6.0 * t1 * t1 * t2 + 3.0 * t2 * t2 + 8.0 * t1 * t3 - 6.0 * t4) /
-                24.0};
+        return {-t1, (t1 * t1 - t2) / R(2), -(t1 * t1 * t1 - R(3) * t1 * t2 + R(2) * t3) / R(6),
+                (t1 * t1 * t1 * t1 - R(6) * t1 * t1 * t2 + R(3) * t2 * t2 + R(8) * t1 * t3 -
+                 R(6) * t4) /
+                    R(24)};
     }
 
 private:

@@ -5,103 +5,152 @@
 #include <utility>
 
 #include "interface/half_space.hpp"
+#include "interface/incident_wave.hpp"
 
 namespace icespar {
 namespace {
 
-Complex applied(const Field4& row, const Field4& f) {
+template <class R>
+std::complex<R> applied(const Field4<R>& row, const Field4<R>& f) {
     return row[0] * f[0] + row[1] * f[1] + row[2] * f[2] + row[3] * f[3];
 }
 
 /// Coefficients in `outgoing` of the field whose image under `rows` is that of `source`.
-std::array<Complex, 2> matched(const std::array<Field4, 2>& rows,
-                               const std::array<Field4, 2>& outgoing, const Field4& source,
-                               double sign) {
-    const Complex a = applied(rows[0], outgoing[0]), b = applied(rows[0], outgoing[1]),
-                  c = applied(rows[1], outgoing[0]), d = applied(rows[1], outgoing[1]);
-    const Complex x = sign * applied(rows[0], source), y = sign * applied(rows[1], source);
-    const Complex det = a * d - b * c;
+template <class R>
+std::array<std::complex<R>, 2> matched(const std::array<Field4<R>, 2>& rows,
+                                       const std::array<Field4<R>, 2>& outgoing,
+                                       const Field4<R>& source, R sign) {
+    using C = std::complex<R>;
+    const C a = applied(rows[0], outgoing[0]), b = applied(rows[0], outgoing[1]),
+            c = applied(rows[1], outgoing[0]), d = applied(rows[1], outgoing[1]);
+    const C x = sign * applied(rows[0], source), y = sign * applied(rows[1], source);
+    const C det = a * d - b * c;
     return {(x * d - b * y) / det, (a * y - x * c) / det};
 }
 
 /// E and H in the face's frame, the z components from Maxwell's equations: Dz = -K Hy, Bz = K Ey.
-std::array<CVec3, 2> completed(const Field4& f, const Medium& medium, const FaceFrame& frame,
-                               const Complex& K) {
-    const ComplexTensor eps = medium.permittivity().in_frame(frame.x, frame.y, frame.z);
-    const Vec3 c = frame.to_face(medium.axis);
-    const double across = medium.gyration, more = medium.gyration_along - medium.gyration;
-    const double axz = more * c.x * c.z, ayz = more * c.y * c.z, azz = across + more * c.z * c.z;
-    const Complex i(0, 1);
-    const Complex b = K * f[1] + i * (axz * f[0] + ayz * f[1]);
-    const Complex d = -K * f[3] - eps.xz * f[0] - eps.yz * f[1] - i * (axz * f[2] + ayz * f[3]);
-    const Complex ez = (d - i * azz * b) / (eps.zz - azz * azz);
-    return {CVec3{f[0], f[1], ez}, CVec3{f[2], f[3], b + i * azz * ez}};
+template <class R>
+std::array<Vector3<std::complex<R>>, 2> completed(const Field4<R>& f, const Medium& medium,
+                                                  const FaceAxes<R>& axes,
+                                                  const std::complex<R>& K) {
+    using C = std::complex<R>;
+    const auto eps = axes.permittivity(medium);
+    const Vector3<R> c = axes.to_face(converted<R>(medium.axis));
+    const R across(medium.gyration), more = R(medium.gyration_along) - across;
+    const R axz = more * c.x * c.z, ayz = more * c.y * c.z, azz = across + more * c.z * c.z;
+    const C i(0, 1);
+    const C b = K * f[1] + i * (axz * f[0] + ayz * f[1]);
+    const C d = -K * f[3] - eps.xz * f[0] - eps.yz * f[1] - i * (axz * f[2] + ayz * f[3]);
+    const C ez = (d - i * azz * b) / (eps.zz - azz * azz);
+    return {Vector3<C>{f[0], f[1], ez}, Vector3<C>{f[2], f[3], b + i * azz * ez}};
+}
+
+/// Energy that two fields carry along the normal only together.
+template <class R>
+R mixed_flux(const Field4<R>& a, const Field4<R>& b) {
+    return (a[0] * std::conj(b[3]) - a[1] * std::conj(b[2]) + b[0] * std::conj(a[3]) -
+            b[1] * std::conj(a[2]))
+        .real();
 }
 
 }  // namespace
 
-void GeneralSolver::solve(Interface& out, const Medium& from, const Medium& to,
-                          const FaceFrame& frame, const Wave& incident) {
-    out.general_ = true;
+template <class R>
+bool GeneralSolver::solve_in(Interface& out, const Medium& from, const Medium& to,
+                             const FaceFrame& frame, const Wave& incident) {
+    using C = std::complex<R>;
+    constexpr bool is_double = std::is_same_v<R, double>;
+    IncidentWave<R> in(frame, incident);
+    if constexpr (!is_double) in = IncidentWave<R>::refined(from, frame, incident);
     // The incident wave of an absorbing medium has a complex tangential part.
-    const Complex K = dot(incident.k, frame.x);
-    out.kt_ = out.from_.absorbing ? K : Complex(frame.kt);
-    const Complex kn = dot(incident.k, frame.z);
+    if (!from.absorbing) in.K = in.K.real();
     const std::size_t given = mode_index(incident.mode);
-    const auto tangential = [&](const CVec3& E, const CVec3& H) {
-        return Field4{dot(E, frame.x), dot(E, frame.y), dot(H, frame.x), dot(H, frame.y)};
-    };
-    std::array<Field4, 2> source{};
-    source[given] = tangential(incident.E, incident.H);
-    const Arriving known{kn, given, source[given]};
-    const HalfSpace near(from, frame, out.kt_, -1, &known);
-    const HalfSpace far(to, frame, out.kt_, +1, nullptr);
+    std::array<Field4<R>, 2> source{};
+    source[given] = in.field;
+    const Arriving<R> known{in.kn, given, in.field};
+    const HalfSpace<R> near(from, in.axes, in.K, -1, &known), far(to, in.axes, in.K, +1, nullptr);
+    if (is_double && std::min(near.separation, far.separation) < R(0.02)) return false;
     if (near.incident_field) {
         // In the phase of the field given.
-        Complex overlap = 0;
+        C overlap = 0;
         for (std::size_t i = 0; i < 4; ++i) {
             overlap += std::conj((*near.incident_field)[i]) * source[given][i];
         }
-        const double size = std::abs(overlap);
+        const R size = std::abs(overlap);
         for (std::size_t i = 0; i < 4 && size > 0; ++i) {
             source[given][i] = overlap / size * (*near.incident_field)[i];
         }
     }
-    const bool isotropic = out.from_.symmetry == Symmetry::isotropic && !out.from_.active();
+    const bool isotropic = from.symmetry == Symmetry::isotropic && !from.active();
     if (isotropic) {
-        const Complex size = std::sqrt(std::norm(kn) + std::norm(out.kt_));
-        const Complex eps = kn * kn + out.kt_ * out.kt_;
-        source[0] = {Complex(0), Complex(1), -kn, Complex(0)};
-        source[1] = {-kn / size, Complex(0), Complex(0), -eps / size};
+        const C size = std::sqrt(std::norm(in.kn) + std::norm(in.K));
+        const C eps = in.kn * in.kn + in.K * in.K;
+        source[0] = {C(0), C(1), -in.kn, C(0)};
+        source[1] = {-in.kn / size, C(0), C(0), -eps / size};
     }
-    const auto store = [](Interface::Side& side, const HalfSpace& h) {
-        side.q = h.q;
-        side.E = h.E;
-        side.flux = h.flux;
+    out.kt_ = Complex(in.K);
+    const auto store = [](Interface::Side& side, const HalfSpace<R>& h) {
+        for (std::size_t i = 0; i < 2; ++i) {
+            side.q[i] = Complex(h.q[i]);
+            side.E[i] = converted<Complex>(h.E[i]);
+            side.flux[i] = static_cast<double>(h.flux[i]);
+        }
         side.propagating = h.propagating;
     };
     store(out.reflected_, near);
     store(out.transmitted_, far);
     for (std::size_t m = 0; m < 2; ++m) {
         if (m != given && !isotropic) continue;
-        out.flux_in_[m] =
-            near.incident_flux > 0 && m == given ? near.incident_flux : normal_flux(source[m]);
-        const auto r = matched(far.rows, near.basis, source[m], -1);
-        const auto t = matched(near.rows, far.basis, source[m], 1);
-        out.reflect_[m] = near.amplitudes(r);
-        out.transmit_[m] = far.amplitudes(t);
-        const Field4 reflected = near.field(r), transmitted = far.field(t);
-        out.reflected_flux_[m] = -normal_flux(reflected) / out.flux_in_[m];
-        out.transmitted_flux_[m] = normal_flux(transmitted) / out.flux_in_[m];
+        const R flux =
+            near.incident_flux > 0 && m == given ? near.incident_flux : normal_flux<R>(source[m]);
+        const auto r = matched<R>(far.rows, near.basis, source[m], -1);
+        const auto t = matched<R>(near.rows, far.basis, source[m], 1);
+        const auto r_modes = near.amplitudes(r), t_modes = far.amplitudes(t);
+        const Field4<R> reflected = near.field(r), transmitted = far.field(t);
+        const R r_flux = -normal_flux<R>(reflected) / flux,
+                t_flux = normal_flux<R>(transmitted) / flux,
+                mixed = from.absorbing ? -mixed_flux<R>(source[m], reflected) / flux : R(0);
+        R balance = mixed - 1, jump = 0;
+        balance +=
+            from.absorbing
+                ? r_flux
+                : (std::norm(r_modes[0]) * near.flux[0] + std::norm(r_modes[1]) * near.flux[1]) /
+                      flux;
+        balance +=
+            to.absorbing
+                ? t_flux
+                : (std::norm(t_modes[0]) * far.flux[0] + std::norm(t_modes[1]) * far.flux[1]) /
+                      flux;
+        for (std::size_t i = 0; i < 4; ++i) {
+            jump = std::max(jump, std::abs(source[m][i] + reflected[i] - transmitted[i]));
+        }
+        if (is_double && !(std::abs(balance) < R(2e-14) && jump < R(2e-14))) return false;
+        out.flux_in_[m] = static_cast<double>(flux);
+        for (std::size_t i = 0; i < 2; ++i) {
+            out.reflect_[m][i] = Complex(r_modes[i]);
+            out.transmit_[m][i] = Complex(t_modes[i]);
+        }
+        out.reflected_flux_[m] = static_cast<double>(r_flux);
+        out.transmitted_flux_[m] = static_cast<double>(t_flux);
+        out.interference_[m] = static_cast<double>(mixed);
         auto place = out.summed_[m].begin();
         for (const auto& [field, medium] : {std::pair{&reflected, &from}, {&transmitted, &to}}) {
-            for (const CVec3& v : completed(*field, *medium, frame, out.kt_)) {
-                for (const Complex& z : {v.x, v.y, v.z}) {
-                    *place++ = z.real();
-                    *place++ = z.imag();
+            for (const Vector3<C>& v : completed<R>(*field, *medium, in.axes, in.K)) {
+                for (const C& z : {v.x, v.y, v.z}) {
+                    *place++ = static_cast<double>(z.real());
+                    *place++ = static_cast<double>(z.imag());
                 }
             }
         }
+    }
+    return true;
+}
+
+void GeneralSolver::solve(Interface& out, const Medium& from, const Medium& to,
+                          const FaceFrame& frame, const Wave& incident) {
+    out.general_ = true;
+    if (!solve_in<double>(out, from, to, frame, incident)) {
+        solve_in<long double>(out, from, to, frame, incident);
     }
 }
 
@@ -112,6 +161,7 @@ void GeneralSolver::add_totals(const Interface& face, std::size_t m, Coefficient
     out.transmitted_total = face.to_.absorbing
                                 ? face.transmitted_flux_[m]
                                 : out.transmitted_power[0] + out.transmitted_power[1];
+    out.interference = face.interference_[m];
 }
 
 SummedFields GeneralSolver::fields(const Interface& face, std::size_t m) {

@@ -11,6 +11,12 @@ struct GeneralSolver {
                       const Wave& incident);
     static void add_totals(const Interface& face, std::size_t mode, Coefficients& out);
     static SummedFields fields(const Interface& face, std::size_t mode);
+
+private:
+    /// Solves with numbers of type R; false when they lost too many digits.
+    template <class R>
+    static bool solve_in(Interface& out, const Medium& from, const Medium& to,
+                         const FaceFrame& frame, const Wave& incident);
 };
 
 }  // namespace icespar

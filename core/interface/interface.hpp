@@ -25,6 +25,9 @@ struct Coefficients {
     /// medium it is the sum of their powers; where a medium absorbs, the two also interfere. With a
     /// transparent first medium both totals add to 1.
     double reflected_total = 0, transmitted_total = 0;
+    /// Of an absorbing first medium, whose incident and reflected waves carry energy together too:
+    /// with it the totals add to 1. Otherwise 0.
+    double interference = 0;
 };
 
 /// Summed tangential and normal fields of the waves of each side, just at the face, for incident
@@ -94,7 +97,7 @@ private:
     /// summed reflected E, H and transmitted E, H in the face's frame; their normal flux over the
     /// incident one.
     std::array<std::array<double, 24>, 2> summed_;
-    std::array<double, 2> reflected_flux_, transmitted_flux_;
+    std::array<double, 2> reflected_flux_, transmitted_flux_, interference_;
 };
 
 }  // namespace icespar

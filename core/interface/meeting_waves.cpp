@@ -8,10 +8,11 @@
 
 namespace icespar {
 
+template <class R>
 template <class T>
-bool HalfSpace::separate_grazing(const Berreman<T>& b, const Matrix4<T>& square,
-                                 const Quartic<T>& f, const Factors<T>& factors, double scale,
-                                 int sign, const Arriving* known, bool absorbing) {
+bool HalfSpace<R>::separate_grazing(const Berreman<T>& b, const Matrix4<T>& square,
+                                    const Quartic<T>& f, const Factors<T>& factors, R scale,
+                                    int sign, const Arriving<R>* known, bool absorbing) {
     auto out = roots(factors.first), in = roots(factors.second);
     std::size_t a = 0, c = 0;
     for (std::size_t i = 0; i < two; ++i) {
@@ -22,12 +23,13 @@ bool HalfSpace::separate_grazing(const Berreman<T>& b, const Matrix4<T>& square,
     // out[1] and in[1] are the pair that meets.
     if (a == 0) std::swap(out[0], out[1]);
     if (c == 0) std::swap(in[0], in[1]);
-    const double gap = std::abs(out[1] - in[1]);
-    const double others = std::min({std::abs(out[0] - out[1]), std::abs(out[0] - in[1]),
-                                    std::abs(in[0] - out[1]), std::abs(in[0] - in[1])});
-    if (gap > 0.2 * others) return false;
+    const R gap = std::abs(out[1] - in[1]);
+    const R others = std::min({std::abs(out[0] - out[1]), std::abs(out[0] - in[1]),
+                               std::abs(in[0] - out[1]), std::abs(in[0] - in[1])});
+    separation = gap;
+    if (gap > R(0.2) * others) return false;
 
-    const auto nearest = [](std::array<Complex, 2> found, Complex& x, Complex& y) {
+    const auto nearest = [](std::array<C, 2> found, C& x, C& y) {
         if (std::abs(found[0] - x) + std::abs(found[1] - y) >
             std::abs(found[1] - x) + std::abs(found[0] - y)) {
             std::swap(found[0], found[1]);
@@ -37,8 +39,7 @@ bool HalfSpace::separate_grazing(const Berreman<T>& b, const Matrix4<T>& square,
     };
     const auto refine = [&](auto type) {
         using S = decltype(type);
-        const Quartic<S> g{cast<S>(Complex(f.c3)), cast<S>(Complex(f.c2)), cast<S>(Complex(f.c1)),
-                           cast<S>(Complex(f.c0))};
+        const Quartic<S> g{cast<S>(C(f.c3)), cast<S>(C(f.c2)), cast<S>(C(f.c1)), cast<S>(C(f.c0))};
         Factors<S> pairs{{cast<S>(-(out[0] + in[0])), cast<S>(out[0] * in[0])},
                          {cast<S>(-(out[1] + in[1])), cast<S>(out[1] * in[1])}};
         if (!polish(g, pairs)) return;
@@ -46,19 +47,19 @@ bool HalfSpace::separate_grazing(const Berreman<T>& b, const Matrix4<T>& square,
         nearest(roots(pairs.second), out[1], in[1]);
     };
     if (known) {
-        const Complex exact = known->q / scale;
+        const C exact = known->q / scale;
         if (std::abs(in[0] - exact) < std::abs(in[1] - exact)) {
             in[0] = exact;
         } else {
             in[1] = exact;
         }
     } else if (absorbing) {
-        refine(Complex{});
+        refine(C{});
     } else {
-        refine(double{});
+        refine(R{});
     }
 
-    using Matrix = Matrix4<Complex>;
+    using Matrix = Matrix4<C>;
     Matrix d, d2;
     for (std::size_t i = 0; i < 4; ++i) {
         for (std::size_t j = 0; j < 4; ++j) {
@@ -66,17 +67,17 @@ bool HalfSpace::separate_grazing(const Berreman<T>& b, const Matrix4<T>& square,
             d2[i][j] = square[i][j];
         }
     }
-    const auto outer = Quadratic<Complex>::from_roots(out[0], in[0]),
-               inner = Quadratic<Complex>::from_roots(out[1], in[1]);
+    const auto outer = Quadratic<C>::from_roots(out[0], in[0]),
+               inner = Quadratic<C>::from_roots(out[1], in[1]);
     // The eigenvector of `root`, alone; `rest` is the root beside it in the outer pair.
-    const auto alone = [&](const Matrix& m, const Matrix& m2, const Complex& rest) {
+    const auto alone = [&](const Matrix& m, const Matrix& m2, const C& rest) {
         Matrix shifted = m;
         for (std::size_t i = 0; i < 4; ++i) shifted[i][i] -= rest;
         const Matrix w = product(shifted, evaluate(inner, m, m2));
-        Field4 best{};
-        double most = -1;
+        Field best{};
+        R most = -1;
         for (std::size_t j = 0; j < 4; ++j) {
-            double size = 0;
+            R size = 0;
             for (std::size_t i = 0; i < 4; ++i) size += std::norm(w[i][j]);
             if (size > most) {
                 most = size;
@@ -87,46 +88,45 @@ bool HalfSpace::separate_grazing(const Berreman<T>& b, const Matrix4<T>& square,
     };
     // The pair that meets, in the plane of both: (M - q_other) e is the eigenvector of q, and stays
     // so where the two become one. Beside an optic axis M, not the quartic, knows their distance.
-    const Plane<Complex> plane(spanning_columns(evaluate(outer, d, d2)));
+    const Plane<C> plane(spanning_columns(evaluate(outer, d, d2)));
     const auto& B = plane.columns;
-    Complex M[2][2];
+    C M[2][2];
     for (std::size_t i = 0; i < two; ++i) {
         for (std::size_t j = 0; j < two; ++j) M[i][j] = dot4(d[plane.pivot[i]], B[j]);
     }
-    const auto flow = [&](const Field4& x, const Field4& y) {
-        return 0.5 * (std::conj(x[0]) * y[3] + std::conj(x[3]) * y[0] - std::conj(x[1]) * y[2] -
-                      std::conj(x[2]) * y[1]);
+    const auto flow = [&](const Field& x, const Field& y) {
+        return R(0.5) * (std::conj(x[0]) * y[3] + std::conj(x[3]) * y[0] - std::conj(x[1]) * y[2] -
+                         std::conj(x[2]) * y[1]);
     };
     // M = middle + N; without loss the flow's form times N is Hermitian, which rounding must not
     // spoil where N itself is but rounding.
-    Complex middle = 0.5 * (M[0][0] + M[1][1]);
+    C middle = R(0.5) * (M[0][0] + M[1][1]);
     if (!absorbing) middle = middle.real();
-    Complex N[2][2] = {{M[0][0] - middle, M[0][1]}, {M[1][0], M[1][1] - middle}};
-    const double p = flow(B[0], B[0]).real(), r = flow(B[1], B[1]).real();
-    const Complex o = flow(B[0], B[1]);
-    const double form = p * r - std::norm(o);
+    C N[2][2] = {{M[0][0] - middle, M[0][1]}, {M[1][0], M[1][1] - middle}};
+    const R p = flow(B[0], B[0]).real(), r = flow(B[1], B[1]).real();
+    const C o = flow(B[0], B[1]);
+    const R form = p * r - std::norm(o);
     if (!absorbing) {
-        const double w0 = (p * N[0][0] + o * N[1][0]).real(),
-                     w1 = (std::conj(o) * N[0][1] + r * N[1][1]).real();
-        const Complex w =
-            0.5 * (p * N[0][1] + o * N[1][1] + std::conj(std::conj(o) * N[0][0] + r * N[1][0]));
+        const R w0 = (p * N[0][0] + o * N[1][0]).real(),
+                w1 = (std::conj(o) * N[0][1] + r * N[1][1]).real();
+        const C w =
+            R(0.5) * (p * N[0][1] + o * N[1][1] + std::conj(std::conj(o) * N[0][0] + r * N[1][0]));
         N[0][0] = (r * w0 - o * std::conj(w)) / form;
         N[0][1] = (r * w - o * w1) / form;
         N[1][0] = (p * std::conj(w) - std::conj(o) * w0) / form;
         N[1][1] = (p * w1 - std::conj(o) * w) / form;
-        const Complex rest = 0.5 * (N[0][0] + N[1][1]);
+        const C rest = R(0.5) * (N[0][0] + N[1][1]);
         N[0][0] -= rest;
         N[1][1] -= rest;
     }
     const bool exact = known && in[1] == known->q / scale;
-    Complex root;  // q_out - middle
+    C root;  // q_out - middle
     if (exact) {
         root = middle - in[1];
         if (!absorbing) root = root.real();
     } else {
-        const Complex half = 0.5 * (N[0][0] - N[1][1]),
-                      square_root = half * half + N[0][1] * N[1][0];
-        root = std::sqrt(absorbing ? square_root : Complex(square_root.real()));
+        const C half = R(0.5) * (N[0][0] - N[1][1]), square_root = half * half + N[0][1] * N[1][0];
+        root = std::sqrt(absorbing ? square_root : C(square_root.real()));
         in[1] = middle - root;
     }
     out[1] = middle + root;
@@ -134,20 +134,20 @@ bool HalfSpace::separate_grazing(const Berreman<T>& b, const Matrix4<T>& square,
                                   std::norm(N[0][1]) + std::norm(N[1][1] + root)
                               ? 0
                               : 1;
-    const auto column = [&](const Complex& shift) {
-        const Complex x = N[0][j] + (j == 0 ? shift : 0.0), y = N[1][j] + (j == 1 ? shift : 0.0);
-        Field4 v;
+    const auto column = [&](const C& shift) {
+        const C x = N[0][j] + (j == 0 ? shift : C(0)), y = N[1][j] + (j == 1 ? shift : C(0));
+        Field v;
         for (std::size_t i = 0; i < 4; ++i) v[i] = x * B[0][i] + y * B[1][i];
         return std::norm(x) + std::norm(y) > 0 ? v : B[j];
     };
-    Field4 leaving = column(root), arriving = column(-root);
-    double incident = 0, returned = 0;  // energy flows of `arriving` and `leaving`
+    Field leaving = column(root), arriving = column(-root);
+    R incident = 0, returned = 0;  // energy flows of `arriving` and `leaving`
     if (exact && !absorbing) {
         // What leaves beside the given wave is orthogonal to it in the energy flow, an indefinite
         // form on this plane; its own flow is that of the given wave times the determinant.
-        const Complex x = known->field[plane.pivot[0]] / (plane.pivot[0] < 2 ? 1 : scale),
-                      y = known->field[plane.pivot[1]] / (plane.pivot[1] < 2 ? 1 : scale);
-        const Complex fx = p * x + o * y, fy = std::conj(o) * x + r * y;
+        const C x = known->field[plane.pivot[0]] / (plane.pivot[0] < 2 ? R(1) : scale),
+                y = known->field[plane.pivot[1]] / (plane.pivot[1] < 2 ? R(1) : scale);
+        const C fx = p * x + o * y, fy = std::conj(o) * x + r * y;
         for (std::size_t i = 0; i < 4; ++i) {
             arriving[i] = x * B[0][i] + y * B[1][i];
             leaving[i] = -std::conj(fy) * B[0][i] + std::conj(fx) * B[1][i];
@@ -156,45 +156,44 @@ bool HalfSpace::separate_grazing(const Berreman<T>& b, const Matrix4<T>& square,
         returned = std::abs(form) * incident;
     } else if (!exact) {
         // Decay and energy flow have the same sign; which of the two shows depends on the case.
-        const auto outward = [&](const Field4& v, const Complex& kn) {
-            const double size =
-                std::norm(v[0]) + std::norm(v[1]) + std::norm(v[2]) + std::norm(v[3]);
-            return sign * (kn.imag() + flow(v, v).real() / size);
+        const auto outward = [&](const Field& v, const C& kn) {
+            const R size = std::norm(v[0]) + std::norm(v[1]) + std::norm(v[2]) + std::norm(v[3]);
+            return R(sign) * (kn.imag() + flow(v, v).real() / size);
         };
         if (outward(leaving, out[1]) < outward(arriving, in[1])) {
             std::swap(leaving, arriving);
             std::swap(out[1], in[1]);
         }
     }
-    std::array<Field4, 2> columns{alone(d, d2, in[0]), leaving};
-    const auto z_component = [&](const Field4& v) {
-        Complex ez = 0;
+    std::array<Field, 2> columns{alone(d, d2, in[0]), leaving};
+    const auto z_component = [&](const Field& v) {
+        C ez = 0;
         for (std::size_t i = 0; i < 4; ++i) ez += b.ez[i] * v[i];
         return ez;
     };
-    const auto size2_of = [&](const Field4& v) {
+    const auto size2_of = [&](const Field& v) {
         return std::norm(v[0]) + std::norm(v[1]) + std::norm(z_component(v));
     };
     q = {scale * out[0], scale * out[1]};
     for (std::size_t i = 0; i < two; ++i) {
-        const Field4& v = columns[i];
-        const double size = std::sqrt(size2_of(v));
+        const Field& v = columns[i];
+        const R size = std::sqrt(size2_of(v));
         E[i] = {v[0] / size, v[1] / size, z_component(v) / size};
         psi[i] = {v[0] / size, v[1] / size, scale / size * v[2], scale / size * v[3]};
         propagating[i] =
-            absorbing || (i == 1 && !exact ? root.imag() == 0 : std::abs(out[i].imag()) < 1e-13);
-        flux[i] = propagating[i] ? std::max(sign * normal_flux(psi[i]), 0.0) : 0;
+            absorbing || (i == 1 && !exact ? root.imag() == 0 : std::abs(out[i].imag()) < R(1e-13));
+        flux[i] = propagating[i] ? std::max(R(sign) * normal_flux<R>(psi[i]), R(0)) : R(0);
     }
     if (exact && !absorbing) {
         flux[1] = scale * returned / size2_of(leaving);
         incident_flux = scale * incident / size2_of(arriving);
     }
     if (exact && !absorbing) {
-        const double size = std::sqrt(size2_of(arriving));
-        incident_field = {arriving[0] / size, arriving[1] / size, scale / size * arriving[2],
-                          scale / size * arriving[3]};
+        const R size = std::sqrt(size2_of(arriving));
+        incident_field = Field{arriving[0] / size, arriving[1] / size, scale / size * arriving[2],
+                               scale / size * arriving[3]};
     }
-    for (Field4& v : columns) {
+    for (Field& v : columns) {
         v[2] *= scale;
         v[3] *= scale;
     }
@@ -202,12 +201,22 @@ bool HalfSpace::separate_grazing(const Berreman<T>& b, const Matrix4<T>& square,
     return true;
 }
 
-template bool HalfSpace::separate_grazing<double>(const Berreman<double>&, const Matrix4<double>&,
-                                                  const Quartic<double>&, const Factors<double>&,
-                                                  double, int, const Arriving*, bool);
-template bool HalfSpace::separate_grazing<Complex>(const Berreman<Complex>&,
-                                                   const Matrix4<Complex>&, const Quartic<Complex>&,
-                                                   const Factors<Complex>&, double, int,
-                                                   const Arriving*, bool);
+template bool HalfSpace<double>::separate_grazing<double>(const Berreman<double>&,
+                                                          const Matrix4<double>&,
+                                                          const Quartic<double>&,
+                                                          const Factors<double>&, double, int,
+                                                          const Arriving<double>*, bool);
+template bool HalfSpace<double>::separate_grazing<Complex>(const Berreman<Complex>&,
+                                                           const Matrix4<Complex>&,
+                                                           const Quartic<Complex>&,
+                                                           const Factors<Complex>&, double, int,
+                                                           const Arriving<double>*, bool);
+template bool HalfSpace<long double>::separate_grazing<long double>(
+    const Berreman<long double>&, const Matrix4<long double>&, const Quartic<long double>&,
+    const Factors<long double>&, long double, int, const Arriving<long double>*, bool);
+template bool HalfSpace<long double>::separate_grazing<std::complex<long double>>(
+    const Berreman<std::complex<long double>>&, const Matrix4<std::complex<long double>>&,
+    const Quartic<std::complex<long double>>&, const Factors<std::complex<long double>>&,
+    long double, int, const Arriving<long double>*, bool);
 
 }  // namespace icespar

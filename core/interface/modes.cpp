@@ -35,8 +35,9 @@ Wave finished(const Medium& medium, Mode mode, const CVec3& k, const CVec3& E) {
 
 /// Both waves of a wave normal: those that leave a face across it with no tangential wave vector.
 std::array<Wave, 2> waves_of_normal(const Medium& medium, const Vec3& direction) {
-    const FaceFrame face(direction, direction);
-    const HalfSpace h(medium, face, 0.0, +1, nullptr);
+    const Vec3 x = any_perpendicular(direction);
+    const FaceAxes<double> face{x, cross(direction, x), direction};
+    const HalfSpace<double> h(medium, face, 0.0, +1, nullptr);
     const auto names = modes_of(medium);
     std::array<Wave, 2> out;
     for (std::size_t i = 0; i < 2; ++i) {

@@ -1,40 +1,15 @@
-// Two-dimensional spaces of tangential fields, and eigenvectors within them; T is double or
-// Complex.
+// Two-dimensional spaces of tangential fields, and eigenvectors within them; T is real or complex.
 #pragma once
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <type_traits>
 
 #include "interface/berreman.hpp"
 
 namespace icespar {
 
 inline constexpr std::size_t two = 2;
-
-template <class T>
-double size2(const T& x) {
-    if constexpr (std::is_same_v<T, double>) {
-        return x * x;
-    } else {
-        return std::norm(x);
-    }
-}
-
-template <class T>
-T conjugate(const T& x) {
-    if constexpr (std::is_same_v<T, double>) {
-        return x;
-    } else {
-        return std::conj(x);
-    }
-}
-
-template <class T>
-double real_part(const T& x) {
-    return std::real(x);
-}
 
 /// Two columns that span a space, made the identity on the two rows where they are most
 /// independent.
@@ -46,10 +21,10 @@ struct Plane {
     Plane() = default;
 
     explicit Plane(const std::array<Vector4<T>, 2>& given) : columns(given) {
-        double best = -1;
+        Real<T> best = -1;
         for (std::size_t i = 0; i < 4; ++i) {
             for (std::size_t j = 0; j < i; ++j) {
-                const double s =
+                const Real<T> s =
                     size2(columns[0][i] * columns[1][j] - columns[0][j] * columns[1][i]);
                 if (s > best) {
                     best = s;
@@ -80,12 +55,12 @@ std::array<Vector4<T>, 2> spanning_columns(const Matrix4<T>& m) {
             if (size2(m[i][j]) > size2(m[row][column])) row = i, column = j;
         }
     }
-    double best = -1;
+    Real<T> best = -1;
     std::size_t second = column;
     for (std::size_t j = 0; j < 4; ++j) {
         if (j == column) continue;
         const T factor = m[row][j] / m[row][column];
-        double left = 0;
+        Real<T> left = 0;
         for (std::size_t i = 0; i < 4; ++i) left += size2(T(m[i][j] - factor * m[i][column]));
         if (left > best) best = left, second = j;
     }
@@ -111,15 +86,16 @@ struct Eigen2 {
 
 /// Hermitian 2 x 2 matrix [a b; conj(b) d].
 template <class T>
-Eigen2<T> hermitian_eigen(double a, const T& b, double d) {
-    const double half = 0.5 * (a - d), mean = 0.5 * (a + d), off = std::sqrt(size2(b));
-    const double radius = std::sqrt(half * half + off * off);
+Eigen2<T> hermitian_eigen(Real<T> a, const T& b, Real<T> d) {
+    using R = Real<T>;
+    const R half = (a - d) / 2, mean = (a + d) / 2, off = std::sqrt(size2(b));
+    const R radius = std::sqrt(half * half + off * off);
     const T turn = off > 0 ? T(b / off) : T(1);
     // (cos, sin) of half the angle whose tangent is off / half, without cancellation.
-    double c = 1, s = 0;
+    R c = 1, s = 0;
     if (radius > 0) {
-        const double large = std::sqrt(0.5 * (1 + std::abs(half) / radius));
-        const double small = 0.5 * off / (radius * large);
+        const R large = std::sqrt((1 + std::abs(half) / radius) / 2);
+        const R small = off / (2 * radius * large);
         c = half >= 0 ? large : small;
         s = half >= 0 ? small : large;
     }
@@ -130,40 +106,24 @@ Eigen2<T> hermitian_eigen(double a, const T& b, double d) {
 }
 
 /// Any 2 x 2 matrix [a b; c d].
-inline Eigen2<Complex> general_eigen(const Complex& a, const Complex& b, const Complex& c,
-                                     const Complex& d) {
-    const Complex half = 0.5 * (a - d), mean = 0.5 * (a + d);
-    const Complex root = std::sqrt(half * half + b * c);
-    Eigen2<Complex> out;
+template <class R>
+Eigen2<std::complex<R>> general_eigen(const std::complex<R>& a, const std::complex<R>& b,
+                                      const std::complex<R>& c, const std::complex<R>& d) {
+    using C = std::complex<R>;
+    const C half = R(0.5) * (a - d), mean = R(0.5) * (a + d);
+    const C root = std::sqrt(half * half + b * c);
+    Eigen2<C> out;
     for (std::size_t i = 0; i < 2; ++i) {
-        const Complex r = i == 0 ? root : -root;
+        const C r = i == 0 ? root : -root;
         // Columns of the adjoint: (b, r - half) and (r + half, c).
-        const Complex up = r + half, down = r - half;
+        const C up = r + half, down = r - half;
         out.value[i] = mean + r;
         out.vector[i] = std::norm(up) >= std::norm(down) ? std::array{up, c} : std::array{b, down};
         if (std::norm(out.vector[i][0]) + std::norm(out.vector[i][1]) == 0) {
-            out.vector[i] = {Complex(i == 0 ? 1 : 0), Complex(i == 0 ? 0 : 1)};
+            out.vector[i] = {C(i == 0 ? 1 : 0), C(i == 0 ? 0 : 1)};
         }
     }
     return out;
-}
-
-template <class T>
-SymmetricTensor<T> cast(const ComplexTensor& t) {
-    if constexpr (std::is_same_v<T, double>) {
-        return real(t);
-    } else {
-        return t;
-    }
-}
-
-template <class T>
-T cast(const Complex& z) {
-    if constexpr (std::is_same_v<T, double>) {
-        return z.real();
-    } else {
-        return z;
-    }
 }
 
 }  // namespace icespar

@@ -66,7 +66,8 @@ SymmetricTensor<std::complex<R>> complexified(const SymmetricTensor<R>& t) {
 /// The same tensor in numbers of another type.
 template <class To, class T>
 SymmetricTensor<To> converted(const SymmetricTensor<T>& t) {
-    return {To(t.xx), To(t.yy), To(t.zz), To(t.yz), To(t.xz), To(t.xy)};
+    return {static_cast<To>(t.xx), static_cast<To>(t.yy), static_cast<To>(t.zz),
+            static_cast<To>(t.yz), static_cast<To>(t.xz), static_cast<To>(t.xy)};
 }
 
 /// v v^T.

@@ -86,7 +86,7 @@ Vector3<std::complex<R>> complexified(const Vector3<R>& v) {
 /// The same vector in numbers of another type.
 template <class To, class T>
 Vector3<To> converted(const Vector3<T>& v) {
-    return {To(v.x), To(v.y), To(v.z)};
+    return {static_cast<To>(v.x), static_cast<To>(v.y), static_cast<To>(v.z)};
 }
 
 inline bool is_finite(const Vec3& v) {
