@@ -149,6 +149,8 @@ private:
 
 /// Reads the transform whose word (or block) the cursor stands at; nothing when there is none.
 [[nodiscard]] std::optional<Transform> read_transform(Cursor& cursor);
+/// What a `transform { ... }` comes to.
+[[nodiscard]] Transform transform_of(const Block& block);
 /// POV-Ray's camera after look_at, angle and transforms, in core coordinates.
 [[nodiscard]] Camera build_camera(const Block& block);
 /// (x, y, z) to (x, y, -z), from the language to the core and back.

@@ -4,12 +4,32 @@
 #include <cstdlib>
 #include <numbers>
 
+#include "math/error.hpp"
 #include "parser/arguments.hpp"
+#include "parser/builder.hpp"
 #include "parser/functions.hpp"
 #include "parser/limits.hpp"
 #include "parser/parser.hpp"
 
 namespace icespar {
+namespace {
+
+/// A point taken through a transform, or back.
+Value transformed(const Arguments& a, bool back) {
+    a.count(2, 2);
+    const auto v = a.vector(0);
+    const BlockPtr* block = a.values[1].block();
+    if (!block || (*block)->word != "transform") a.wrong(1, "a transform");
+    try {
+        const Transform t = transform_of(**block);
+        const Vec3 p = (back ? t.inverse() : t).point({v[0], v[1], v[2]});
+        return Numbers{{p.x, p.y, p.z}, 3, false};
+    } catch (const Error& error) {
+        throw Fault{a.places[1], error.what(), {}};
+    }
+}
+
+}  // namespace
 
 std::optional<Value> Parser::constant(std::string_view name) {
     const auto axis = [](int size, std::size_t i) {
@@ -81,7 +101,7 @@ Value Parser::function_call(std::string_view name, const Token& token) {
     while (!peek_is(')')) {
         if (!a.values.empty()) expect(',', "',' or ')'");
         const Place at = here();
-        a.values.push_back(expression());
+        a.values.push_back(declared_value());
         a.places.push_back(joined(at, last_place_));
         if (a.values.size() > 1000)
             throw Fault{at, "a call has at most 1000 arguments, the bound", {}};
@@ -165,6 +185,9 @@ Value Parser::function_call(std::string_view name, const Token& token) {
         a.count(1, 1);
         const auto found = sources_.find(a.text(0), sources_.file(start.file).folder);
         return found.path || library_file(a.text(0)) ? 1.0 : 0.0;
+    }
+    if (name == "vtransform" || name == "vinv_transform") {
+        return checked(*transformed(a, name[1] == 'i').numbers(), a.whole);
     }
     throw Fault{start, "'" + std::string(name) + "' is not a function here", {}};
 }

@@ -51,7 +51,9 @@ Transform checked(const Transform& t, const Place& place) {
     return t;
 }
 
-Transform block_of_transforms(const Block& block) {
+}  // namespace
+
+Transform transform_of(const Block& block) {
     Transform all;
     bool inverse = false;
     for (Cursor cursor(block); cursor.more();) {
@@ -62,7 +64,7 @@ Transform block_of_transforms(const Block& block) {
         } else if (item.kind == Item::Kind::value) {
             if (const BlockPtr* inner = item.value.block();
                 inner && (*inner)->word == "transform") {
-                all = all.then(block_of_transforms(**inner));
+                all = all.then(transform_of(**inner));
             } else if (!item.value.empty()) {
                 throw Fault{item.place, "expected a transform, found " + kind_of(item.value), {}};
             }
@@ -70,8 +72,6 @@ Transform block_of_transforms(const Block& block) {
     }
     return inverse ? all.inverse() : all;
 }
-
-}  // namespace
 
 const Transform& mirror() {
     static const Transform m = Transform::scaling({1, 1, -1});
@@ -85,7 +85,7 @@ std::optional<Transform> read_transform(Cursor& cursor) {
     try {
         if (item.kind == Item::Kind::block && item.word == "transform") {
             cursor.take();
-            return checked(block_of_transforms(*item.block), place);
+            return checked(transform_of(*item.block), place);
         }
         if (item.kind != Item::Kind::word) return std::nullopt;
         if (item.word == "translate") {
@@ -114,7 +114,7 @@ std::optional<Transform> read_transform(Cursor& cursor) {
             if (cursor.next_is(Item::Kind::value)) {
                 const Item& value = cursor.take();
                 if (const BlockPtr* t = value.value.block(); t && (*t)->word == "transform") {
-                    return checked(block_of_transforms(**t), place);
+                    return checked(transform_of(**t), place);
                 }
                 if (value.value.empty()) return Transform{};
             }

@@ -67,6 +67,9 @@ inline constexpr std::string_view ours_later =
     "square triangular pavement tiling text_space transform_space ovus ambient_occlusion "
     "diffuse_exponent";
 
+/// Functions here, macros of an include in POV-Ray, which a scene may bring along.
+inline constexpr std::string_view macros_of_includes = "vtransform vinv_transform";
+
 inline constexpr std::string_view values =
     "x y z t u v pi tau clock clock_delta clock_on frame_number initial_frame final_frame "
     "initial_clock "
@@ -78,7 +81,8 @@ inline constexpr std::string_view values =
     "file_exists "
     "floor int ln log max min mod pow radians rand seed select sin sinh sqr sqrt str strcmp strlen "
     "strlwr "
-    "strupr substr tan tanh val vaxis_rotate vcross vdot vlength vnormalize vrotate vstr array";
+    "strupr substr tan tanh val vaxis_rotate vcross vdot vinv_transform vlength vnormalize vrotate "
+    "vstr vtransform array";
 
 inline constexpr std::string_view directives =
     "version include declare local undef macro end if ifdef ifndef else elseif while for switch "

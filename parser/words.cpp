@@ -60,7 +60,8 @@ struct Vocabulary {
         for (const auto word : split(word_lists::others))
             info.try_emplace(word, WordInfo{WordKind::other});
         info.erase("scene");
-        for (const auto list : {word_lists::ours, word_lists::ours_later}) {
+        for (const auto list :
+             {word_lists::ours, word_lists::ours_later, word_lists::macros_of_includes}) {
             for (const auto word : split(list)) info[word].may_be_declared = true;
         }
     }

@@ -54,6 +54,10 @@ which gemmologists tell zircon from diamond with a loupe. The axis lies about 50
 The same cut in diamond: single edges, and fire. The lamps are white; light that was refracted into the stone and out
 again leaves it spread, violet at one side of a flash and red or yellow at the other. The two large pale facets, to the
 lower left and above the middle, mirror a lamp at the surface and stay white."""),
+    ("cuts", RENDER, {"size": "640x480", "spp": 32}, levels, """\
+Round brilliant, emerald cut, princess, trilliant; baguette, square step cut, an old brilliant with a high crown and short
+lower halves, octahedron; quartz crystal, hexagonal prism, calcite rhomb, and a block with the angles of a triclinic cell.
+Each is one line of `docs/includes.md`. The crystals below lack what cutting is for: light goes straight through them."""),
 ]
 
 

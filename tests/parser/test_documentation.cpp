@@ -31,11 +31,12 @@ std::vector<std::string> examples(const fs::path& page) {
 
 }  // namespace
 
-TEST_CASE("the examples of the language's manual load", "[documentation]") {
-    const auto found = examples(fs::path(ICESPAR_TESTS_DIR) / "../docs/language.md");
-    REQUIRE(found.size() >= 10);
+TEST_CASE("the examples of the manuals of language and includes load", "[documentation]") {
+    const std::string page = GENERATE("language.md", "includes.md");
+    const auto found = examples(fs::path(ICESPAR_TESTS_DIR) / "../docs" / page);
+    REQUIRE(found.size() >= 7);
     for (const std::string& text : found) {
-        const LoadResult result = load_scene_text(text, "language.md", ICESPAR_SCENES_DIR);
+        const LoadResult result = load_scene_text(text, page, ICESPAR_SCENES_DIR);
         INFO(text);
         CHECK(messages(result).empty());
         CHECK(result.scene.has_value());
