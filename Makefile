@@ -8,7 +8,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 PYTHON ?=
 DEBIAN := cmake ninja-build g++ libembree-dev libopenexr-dev libcgal-dev libgmp-dev libmpfr-dev \
-  libboost-dev libtbb-dev libpng-dev libcli11-dev libfast-float-dev catch2 python3-dev python3-venv
+  libboost-dev libtbb-dev libpng-dev libcli11-dev libfast-float-dev libpugixml-dev catch2 python3-dev python3-venv
 
 help:
 	@echo 'make demo    install what is missing, build, render scenes/calcite_on_grid.spar into out/'

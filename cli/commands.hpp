@@ -34,6 +34,14 @@ int check_command(const std::filesystem::path& scene,
                   const std::vector<std::filesystem::path>& allow, std::ostream& out,
                   std::ostream& messages);
 
+struct ConvertArguments {
+    std::filesystem::path source, target;
+    double index = 0, from = 0, pavilion = 0, crown = 0;  ///< as Retarget; 0 where not given
+};
+
+/// Reads a faceting design and writes it in another format, for another index where asked.
+int convert_command(const ConvertArguments& arguments, std::ostream& messages);
+
 /// One line for every mineral, or all that is known about one.
 int minerals_command(const std::string& name, std::ostream& out, std::ostream& messages);
 

@@ -134,7 +134,36 @@ int main(int argc, char** argv) {
 
     CLI::App* stone =
         app.add_subcommand("stone", "Facets, volume and proportions of a faceting design");
-    stone->add_option("FILE", file, "A design in GemCad's .asc format")->required();
+    stone->add_option("FILE", file, "A design: .asc or .gem (GemCad), .gcs (Gem Cut Studio)")
+        ->required();
+
+    ConvertArguments conversion;
+    CLI::App* convert = app.add_subcommand(
+        "convert", "Write a faceting design in another format or for another index");
+    convert->footer(
+        "Formats, by ending: .asc and .gem (GemCad), .gcs (Gem Cut Studio); the stone as .stl, "
+        ".obj.\n"
+        "For another index the tangents of each side keep their ratios. The pavilion's lowest "
+        "tier\n"
+        "keeps what it exceeds the critical angle by; light from straight above keeps its "
+        "direction\n"
+        "behind the crown's largest tier; --pavilion and --crown set these angles instead.\n"
+        "Example: icespar convert quartz.asc corundum.asc --index 1.76");
+    convert->add_option("SOURCE", conversion.source, "The design to read")->required();
+    convert->add_option("TARGET", conversion.target, "The file to write")->required();
+    convert->add_option("--index", conversion.index, "Refractive index to cut it for")
+        ->type_name("N")
+        ->check(positive);
+    convert->add_option("--from", conversion.from, "Index it was made for (default: the file's)")
+        ->type_name("N")
+        ->check(positive);
+    convert
+        ->add_option("--pavilion", conversion.pavilion, "New angle of the pavilion's lowest tier")
+        ->type_name("DEG")
+        ->check(positive);
+    convert->add_option("--crown", conversion.crown, "New angle of the crown's largest tier")
+        ->type_name("DEG")
+        ->check(positive);
 
     CLI::App* minerals = app.add_subcommand("minerals", "What a stone may be made of");
     minerals->add_option("NAME", mineral, "One mineral, with its indices over the spectrum");
@@ -143,7 +172,7 @@ int main(int argc, char** argv) {
         const auto named = [&](const CLI::App* command) { return command->check_name(argv[1]); };
         if (argc > 1 && argv[1][0] != '-' && app.get_subcommands(named).empty()) {
             std::cerr << "icespar: there is no command '" << argv[1]
-                      << "'; the commands are render, check, stone and minerals\n";
+                      << "'; the commands are render, check, stone, convert and minerals\n";
             return exit_usage;
         }
         app.parse(argc, argv);
@@ -154,6 +183,7 @@ int main(int argc, char** argv) {
         }
         if (check->parsed())
             return check_command(arguments.scene, arguments.allow, std::cout, std::cerr);
+        if (convert->parsed()) return convert_command(conversion, std::cerr);
         if (minerals->parsed()) return minerals_command(mineral, std::cout, std::cerr);
         stone_command(file, std::cout);
         return exit_done;

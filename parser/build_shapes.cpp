@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "designs/design.hpp"
 #include "math/error.hpp"
 #include "parser/builder.hpp"
 #include "parser/limits.hpp"
@@ -288,8 +289,8 @@ void Builder::design(const Place& place, const std::string& file, Solid& solid) 
     }
     try {
         const Design design = read_design(*found.path);
-        bounded(design.planes.size(), place);
-        for (const FacetPlane& plane : design.planes) {
+        bounded(design.facet_count(), place);
+        for (const FacetPlane& plane : design.planes()) {
             solid.planes.push_back({from_gemcad(plane.normal), plane.distance, plane.name});
         }
     } catch (const Error& error) {

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "scene/scene.hpp"
-#include "stone/cut.hpp"
 
 namespace icespar {
 
@@ -44,10 +43,5 @@ struct LoadResult {
 [[nodiscard]] LoadResult load_scene_text(std::string_view text, const std::string& name,
                                          const std::filesystem::path& folder,
                                          const LoadOptions& = {});
-
-/// A faceting design by its file's ending (.asc). Throws Error with file and line.
-[[nodiscard]] Design read_design(const std::filesystem::path& file);
-/// GemCad's text format; `name` is for messages.
-[[nodiscard]] Design parse_gemcad_asc(std::string_view text, const std::string& name);
 
 }  // namespace icespar

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "stone/stone.hpp"
 
@@ -14,15 +13,5 @@ namespace icespar {
 /// a negative distance is a culet: it faces down.
 [[nodiscard]] FacetPlane cut_plane(double angle, double distance, double index, double gear,
                                    double offset, bool pavilion, std::string name);
-
-/// A design as read from a file: planes in GemCad's frame, and what the file says about itself.
-struct Design {
-    std::vector<FacetPlane> planes;
-    double gear = 96, gear_offset = 0;
-    int symmetry = 1;
-    bool mirror = false;
-    double refractive_index = 0;  ///< 0 where the file does not say
-    std::vector<std::string> headers, footnotes;
-};
 
 }  // namespace icespar

@@ -7,8 +7,8 @@
 #include <algorithm>
 
 #include "bindings.hpp"
+#include "designs/design.hpp"
 #include "math/error.hpp"
-#include "parser/load.hpp"
 
 namespace icespar::python {
 
@@ -55,9 +55,9 @@ void bind_stone(py::module_& module) {
             "from_design",
             [](const std::filesystem::path& path) {
                 const py::gil_scoped_release unlocked;
-                return Stone::from_planes(read_design(path).planes);
+                return Stone::from_planes(read_design(path).planes());
             },
-            "path"_a, "A faceting design in GemCad's .asc format. Error with file and line.")
+            "path"_a, "A faceting design: .asc or .gem (GemCad), .gcs (Gem Cut Studio). Error with file and place.")
         .def_static(
             "from_planes", &stone_from_planes, "normals"_a, "distances"_a,
             "names"_a = std::vector<std::string>{},

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "parser/load.hpp"
+#include "designs/design.hpp"
 #include "render/render.hpp"
 #include "scene/scene.hpp"
 #include "support/solids.hpp"
@@ -45,7 +45,7 @@ inline Stone rhomb_stone() {
 /// Round brilliant of girdle radius 1, table along +z.
 inline Stone brilliant_stone() {
     return Stone::from_planes(
-        read_design(ICESPAR_SCENES_DIR "/designs/srb_tolkowsky_diamond.asc").planes);
+        read_design(ICESPAR_SCENES_DIR "/designs/srb_tolkowsky_diamond.asc").planes());
 }
 
 inline Stone box_stone(const Vec3& low, const Vec3& high) {

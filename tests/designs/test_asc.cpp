@@ -6,8 +6,8 @@
 #include <random>
 #include <string>
 
+#include "designs/design.hpp"
 #include "math/error.hpp"
-#include "parser/load.hpp"
 #include "support/scratch_folder.hpp"
 
 using namespace icespar;
@@ -18,11 +18,11 @@ namespace {
 
 const std::string head = "GemCad 5.0\ng 96 0.0\ny 8 y\nI 1.54\n";
 
-Design read(const std::string& text) { return parse_gemcad_asc(text, "test.asc"); }
+Design read(const std::string& text) { return read_asc(text, "test.asc"); }
 
 std::vector<std::string> names(const Design& design) {
     std::vector<std::string> out;
-    for (const FacetPlane& plane : design.planes) out.push_back(plane.name);
+    for (const FacetPlane& plane : design.planes()) out.push_back(plane.name);
     return out;
 }
 
@@ -41,11 +41,11 @@ std::string contents(const std::string& file) {
 }
 
 void check_same_planes(const Design& a, const Design& b) {
-    REQUIRE(a.planes.size() == b.planes.size());
-    for (std::size_t i = 0; i < a.planes.size(); ++i) {
-        CHECK(a.planes[i].normal == b.planes[i].normal);
-        CHECK(a.planes[i].distance == b.planes[i].distance);
-        CHECK(a.planes[i].name == b.planes[i].name);
+    REQUIRE(a.planes().size() == b.planes().size());
+    for (std::size_t i = 0; i < a.planes().size(); ++i) {
+        CHECK(a.planes()[i].normal == b.planes()[i].normal);
+        CHECK(a.planes()[i].distance == b.planes()[i].distance);
+        CHECK(a.planes()[i].name == b.planes()[i].name);
     }
 }
 
@@ -62,24 +62,24 @@ TEST_CASE("a design says its gear, symmetry, index, headers and footnotes", "[ge
     CHECK(design.refractive_index == 1.76);
     CHECK(design.headers == std::vector<std::string>{"Cube", "", "by R. S."});
     CHECK(design.footnotes == std::vector<std::string>{"Based on", "an idea"});
-    CHECK(design.planes.size() == 1);
+    CHECK(design.planes().size() == 1);
     CHECK(read("g 64\na 0 1 64\n").refractive_index == 0);
 }
 
 TEST_CASE("every index of a tier is a facet at its angle and distance", "[gemcad]") {
     const Design design = read(head + "a -41.5 0.61701256 96 n 2 24 48\n");
-    REQUIRE(design.planes.size() == 3);
-    for (const FacetPlane& plane : design.planes) {
+    REQUIRE(design.planes().size() == 3);
+    for (const FacetPlane& plane : design.planes()) {
         CHECK(plane.distance == 0.61701256);
         CHECK(plane.normal.z == Approx(-std::cos(41.5 * M_PI / 180)).epsilon(1e-15));
     }
-    CHECK(design.planes[1].normal.x == Approx(std::sin(41.5 * M_PI / 180)).epsilon(1e-15));
-    CHECK(design.planes[1].normal.y == 0);
+    CHECK(design.planes()[1].normal.x == Approx(std::sin(41.5 * M_PI / 180)).epsilon(1e-15));
+    CHECK(design.planes()[1].normal.y == 0);
 }
 
 TEST_CASE("the gear's sign and offset turn the facets", "[gemcad]") {
     const auto normal = [](const std::string& gear) {
-        return read("g " + gear + "\na 90 1 24\n").planes.at(0).normal;
+        return read("g " + gear + "\na 90 1 24\n").planes().at(0).normal;
     };
     CHECK(normal("96 0.0") == Vec3{1, 0, 0});
     CHECK(normal("96 96.0") == Vec3{1, 0, 0});
@@ -117,7 +117,7 @@ TEST_CASE("lines end in LF, CR LF or CR, and DOS files in control-Z", "[gemcad]"
     const std::string file = ICESPAR_SCENES_DIR "/designs/srb_quartz.asc";
     const std::string text = contents(file);
     const Design design = read_design(file);
-    CHECK(design.planes.size() == 74);
+    CHECK(design.planes().size() == 74);
     for (const std::string ending : {"\r\n", "\r"}) {
         std::string other;
         for (const char c : text) other += c == '\n' ? ending : std::string(1, c);
@@ -140,7 +140,7 @@ TEST_CASE("text in the code page of Windows becomes UTF-8, and UTF-8 stays", "[g
 
 TEST_CASE("a negative distance at angle 0, or the angle -0, is a culet", "[gemcad]") {
     for (const std::string tier : {"a 0.00 -0.60635 0\n", "a -0.00 0.60635 0\n"}) {
-        const FacetPlane culet = read(head + tier).planes.at(0);
+        const FacetPlane culet = read(head + tier).planes().at(0);
         CHECK(culet.normal == Vec3{0, 0, -1});
         CHECK(culet.distance == 0.60635);
     }
@@ -188,11 +188,11 @@ TEST_CASE("a file that is no design is refused by name", "[gemcad][error]") {
         return "no error";
     };
     CHECK_THAT(message(folder / "absent.asc"), Contains("absent.asc") && Contains("no such file"));
-    CHECK_THAT(message(folder / "design.gem"), Contains("only GemCad's .asc"));
+    CHECK_THAT(message(folder / "design.dxf"), Contains("designs end in .asc"));
     std::filesystem::create_directory(folder / "folder.asc");
     CHECK_THAT(message(folder / "folder.asc"), Contains("no such file"));
     std::ofstream(folder / "LOUD.ASC") << head << "a 0 1 96\n";
-    CHECK(read_design(folder / "LOUD.ASC").planes.size() == 1);
+    CHECK(read_design(folder / "LOUD.ASC").planes().size() == 1);
 }
 
 TEST_CASE("a damaged file gives a design or a message, never anything else", "[gemcad][fuzz]") {
@@ -207,7 +207,7 @@ TEST_CASE("a damaged file gives a design or a message, never anything else", "[g
             text[at] = trial % 2 ? static_cast<char>(random()) : letters[below(letters.size())];
         }
         try {
-            for (const FacetPlane& plane : read(text).planes) {
+            for (const FacetPlane& plane : read(text).planes()) {
                 REQUIRE(is_finite(plane.normal));
                 REQUIRE(std::isfinite(plane.distance));
             }

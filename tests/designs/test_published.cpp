@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "parser/load.hpp"
+#include "designs/design.hpp"
 #include "stone/stone.hpp"
 #include "support/solids.hpp"
 
@@ -50,28 +50,27 @@ void check_digits(double value, const std::string& expected, int digits) {
 void check_row(const std::filesystem::path& folder, const Row& row) {
     CAPTURE(row.at("file"));
     const Design design = read_design(folder / row.at("file"));
-    const Stone stone = Stone::from_planes(design.planes);
+    const Stone stone = Stone::from_planes(design.planes());
     CHECK(fault_of(stone) == "");
     CHECK(stone.facets.size() == std::stoul(row.at("distinct_facets")));
     check_digits(stone.volume, row.at("volume"), 5);
     const GirdleSize size = girdle_size(stone);
     check_digits(size.length / size.width, row.at("L_over_W"), 4);
     check_digits(size.height / size.width, row.at("H_over_W"), 4);
-    if (row.contains("planes")) CHECK(design.planes.size() == std::stoul(row.at("planes")));
+    if (row.contains("planes")) CHECK(design.planes().size() == std::stoul(row.at("planes")));
     if (row.contains("ri")) CHECK(design.refractive_index == std::stod(row.at("ri")));
 }
 
 }  // namespace
 
 TEST_CASE("the project's own designs have the facets, volume and proportions of qhull",
-          "[stone][designs]") {
-    const std::vector<Row> rows = table(ICESPAR_TESTS_DIR "/stone/designs.csv");
+          "[designs]") {
+    const std::vector<Row> rows = table(ICESPAR_TESTS_DIR "/designs/designs.csv");
     REQUIRE(rows.size() == 6);
     for (const Row& row : rows) check_row(ICESPAR_SCENES_DIR "/designs", row);
 }
 
-TEST_CASE("published designs have the facets, volume and proportions of qhull",
-          "[stone][designs]") {
+TEST_CASE("published designs have the facets, volume and proportions of qhull", "[designs]") {
     const std::filesystem::path folder = ICESPAR_SHARED_DIR "/designs";
     if (!std::filesystem::exists(folder / "expected.csv")) {
         WARN("not run: the published designs are not in this copy");
@@ -82,9 +81,9 @@ TEST_CASE("published designs have the facets, volume and proportions of qhull",
     for (const Row& row : rows) check_row(folder, row);
 }
 
-TEST_CASE("planes that duplicate, touch or miss the stone are told apart", "[stone][designs]") {
+TEST_CASE("planes that duplicate, touch or miss the stone are told apart", "[designs]") {
     const Design design = read_design(ICESPAR_SCENES_DIR "/designs/redundant_planes.asc");
-    const Stone stone = Stone::from_planes(design.planes);
+    const Stone stone = Stone::from_planes(design.planes());
     // The girdle and X graze edges by the eighth decimal; the second P is the first again.
     const std::vector<std::string> unreached{"G", "G", "G", "G", "X", "X", "X",
                                              "X", "Y", "Y", "Y", "Y", "T0"};
@@ -92,7 +91,7 @@ TEST_CASE("planes that duplicate, touch or miss the stone are told apart", "[sto
 }
 
 TEST_CASE("meshes with six decimals have the facets of the design they were made from",
-          "[stone][designs]") {
+          "[designs]") {
     const std::filesystem::path folder = ICESPAR_SHARED_DIR "/designs";
     if (!std::filesystem::exists(folder / "pov/pc01043.inc")) {
         WARN("not run: the published designs are not in this copy");
@@ -110,7 +109,8 @@ TEST_CASE("meshes with six decimals have the facets of the design they were made
         }
     }
     const Stone mesh = Stone::from_points(points);
-    const Stone design = Stone::from_planes(read_design(folder / "facethound/pc01043.asc").planes);
+    const Stone design =
+        Stone::from_planes(read_design(folder / "facethound/pc01043.asc").planes());
     CHECK(fault_of(mesh) == "");
     CHECK(mesh.facets.size() == design.facets.size());
     const auto shape = [](const Stone& s) { return s.volume / std::pow(girdle_size(s).width, 3); };

@@ -1,72 +1,18 @@
 // Reads GemCad's text format (.asc): facets by angle, distance and indices, and what the file says
 // about gear, symmetry and refractive index.
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <charconv>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <optional>
 
+#include "designs/design.hpp"
+#include "designs/text.hpp"
 #include "math/error.hpp"
-#include "parser/load.hpp"
 
 namespace icespar {
 namespace {
 
 constexpr std::size_t most_facets = 100'000;
-constexpr std::uintmax_t largest_file = 16u << 20;
-
-/// A word of the file, fit for a message: short and printable.
-std::string shown(std::string_view word) {
-    std::string text = "'";
-    for (const char c : word.substr(0, 24)) text += c >= ' ' && c <= '~' ? c : '?';
-    return text + (word.size() > 24 ? "...'" : "'");
-}
-
-bool is_utf8(std::string_view text) {
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const auto lead = static_cast<unsigned char>(text[i]);
-        const int following = lead < 0x80   ? 0
-                              : lead < 0xC2 ? -1
-                              : lead < 0xE0 ? 1
-                              : lead < 0xF0 ? 2
-                              : lead < 0xF5 ? 3
-                                            : -1;
-        if (following < 0) return false;
-        for (int k = 0; k < following; ++k) {
-            if (++i >= text.size() || (static_cast<unsigned char>(text[i]) & 0xC0) != 0x80)
-                return false;
-        }
-    }
-    return true;
-}
-
-/// GemCad writes the code page of Windows; what is UTF-8 already stays.
-std::string utf8(std::string_view text) {
-    if (is_utf8(text)) return std::string(text);
-    constexpr std::array<char16_t, 32> from_0x80{
-        0x20AC, 0xFFFD, 0x201A, 0x0192, 0x201E, 0x2026, 0x2020, 0x2021, 0x02C6, 0x2030, 0x0160,
-        0x2039, 0x0152, 0xFFFD, 0x017D, 0xFFFD, 0xFFFD, 0x2018, 0x2019, 0x201C, 0x201D, 0x2022,
-        0x2013, 0x2014, 0x02DC, 0x2122, 0x0161, 0x203A, 0x0153, 0xFFFD, 0x017E, 0x0178};
-    std::string out;
-    for (const char c : text) {
-        const auto byte = static_cast<unsigned char>(c);
-        const unsigned code = byte >= 0x80 && byte < 0xA0 ? from_0x80[byte - 0x80u] : byte;
-        if (code < 0x80) {
-            out += static_cast<char>(code);
-        } else if (code < 0x800) {
-            out += static_cast<char>(0xC0 | code >> 6);
-            out += static_cast<char>(0x80 | (code & 0x3F));
-        } else {
-            out += static_cast<char>(0xE0 | code >> 12);
-            out += static_cast<char>(0x80 | (code >> 6 & 0x3F));
-            out += static_cast<char>(0x80 | (code & 0x3F));
-        }
-    }
-    return out;
-}
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\f' || c == '\v'; }
 
@@ -92,17 +38,11 @@ public:
     Design read(std::string_view text);
 
 private:
-    /// An `a` record: one angle and distance, and the indices it is cut at.
-    struct Tier {
+    /// An `a` record so far.
+    struct Open {
         int line = 0;
-        std::optional<double> angle, distance;
-        bool pavilion = false;
-        struct Cut {
-            double index;
-            std::string name;
-        };
-        std::vector<Cut> cuts;
-        bool name_follows = false, in_text = false;
+        Tier tier{};
+        bool has_angle = false, has_distance = false, name_follows = false, in_text = false;
     };
 
     [[noreturn]] void fail(const std::string& message) const {
@@ -120,7 +60,8 @@ private:
     int line_ = 1;
     char record_ = 0;  // of the line before: what an indented line goes on with
     bool has_gear_ = false;
-    std::optional<Tier> tier_;
+    std::size_t facets_ = 0;
+    std::optional<Open> open_;
     Design design_;
 };
 
@@ -165,59 +106,64 @@ void GemCadReader::set_refractive_index(std::string_view rest) {
 }
 
 void GemCadReader::read_tier_words(std::string_view rest) {
-    Tier& tier = *tier_;
+    Tier& tier = open_->tier;
     for (;;) {
         rest = trimmed(rest);
-        if (rest.empty() || tier.in_text) return;
+        if (rest.empty()) return;
+        if (open_->in_text) {
+            tier.instructions += (tier.instructions.empty() ? "" : " ") + utf8(rest);
+            return;
+        }
         const std::string_view word = next_word(rest);
-        if (!tier.angle) {
+        if (!open_->has_angle) {
+            // A culet may be written -0, whose sign is lost in no double.
             tier.angle = number(word, "the facet's angle");
-            tier.pavilion = word.front() == '-';
-        } else if (!tier.distance) {
+            open_->has_angle = true;
+        } else if (!open_->has_distance) {
             tier.distance = number(word, "the facet's distance");
-        } else if (tier.name_follows) {
+            open_->has_distance = true;
+        } else if (open_->name_follows) {
             tier.cuts.back().name = utf8(word);
-            tier.name_follows = false;
+            open_->name_follows = false;
         } else if (word == "n") {
             if (tier.cuts.empty()) fail("'n' names no index: put it after the index it names");
-            tier.name_follows = true;
+            open_->name_follows = true;
         } else if (word == "G") {
-            tier.in_text = true;
+            open_->in_text = true;
         } else {
-            tier.cuts.push_back({number(word, "an index, 'n' or 'G'"), {}});
+            tier.cuts.push_back({number(word, "an index, 'n' or 'G'")});
         }
     }
 }
 
 void GemCadReader::finish_tier() {
-    if (!tier_) return;
-    Tier tier = std::move(*tier_);
-    tier_.reset();
-    line_ = tier.line;
-    if (!tier.angle) fail("the facet's angle is missing: write 'a ANGLE DISTANCE INDEX ...'");
-    if (!tier.distance) fail("the facet's distance is missing: write 'a ANGLE DISTANCE INDEX ...'");
-    if (tier.name_follows) fail("'n' is not followed by a name: give one, or remove it");
+    if (!open_) return;
+    const Open open = std::move(*open_);
+    Tier tier = open.tier;
+    open_.reset();
+    line_ = open.line;
+    if (!open.has_angle) fail("the facet's angle is missing: write 'a ANGLE DISTANCE INDEX ...'");
+    if (!open.has_distance)
+        fail("the facet's distance is missing: write 'a ANGLE DISTANCE INDEX ...'");
+    if (open.name_follows) fail("'n' is not followed by a name: give one, or remove it");
     if (!has_gear_) fail("a facet comes before the gear: put a line such as 'g 96 0.0' above it");
     // A table needs no index: it looks the same at all of them.
-    if (tier.cuts.empty() && *tier.angle == 0) tier.cuts.push_back({design_.gear_offset, {}});
+    if (tier.cuts.empty() && tier.angle == 0) tier.cuts.push_back({design_.gear_offset});
     if (tier.cuts.empty()) fail("the facet has no index: say where on the gear it is cut");
-    if (design_.planes.size() + tier.cuts.size() > most_facets) {
+    facets_ += tier.cuts.size();
+    if (facets_ > most_facets) {
         fail("more than " + std::to_string(most_facets) + " facets: split the design");
     }
-
-    // An index without a name has that of the one before it; those before the first name have it.
-    const auto named = std::find_if(tier.cuts.begin(), tier.cuts.end(),
-                                    [](const Tier::Cut& cut) { return !cut.name.empty(); });
-    std::string name = named == tier.cuts.end() ? std::string() : named->name;
-    for (const auto& cut : tier.cuts) {
-        if (!cut.name.empty()) name = cut.name;
-        try {
-            design_.planes.push_back(cut_plane(*tier.angle, *tier.distance, cut.index, design_.gear,
-                                               design_.gear_offset, tier.pavilion, name));
-        } catch (const Error& error) {
-            fail(error.what());
+    spread_names(tier);
+    try {
+        for (const Tier::Cut& cut : tier.cuts) {
+            (void)cut_plane(tier.angle, tier.distance, cut.index, design_.gear, design_.gear_offset,
+                            std::signbit(tier.angle), cut.name);
         }
+    } catch (const Error& error) {
+        fail(error.what());
     }
+    design_.tiers.push_back(std::move(tier));
 }
 
 void GemCadReader::read_line(std::string_view line) {
@@ -263,7 +209,7 @@ void GemCadReader::read_line(std::string_view line) {
         case 'F':
             return design_.footnotes.push_back(utf8(trimmed(rest)));
         case 'a':
-            tier_.emplace().line = line_;
+            open_.emplace().line = line_;
             return read_tier_words(rest);
         default:
             return;
@@ -290,7 +236,7 @@ Design GemCadReader::read(std::string_view text) {
         ++line_;
     }
     finish_tier();
-    if (design_.planes.empty()) {
+    if (design_.tiers.empty()) {
         throw Error(file_ + ": the design has no facets: lines that begin with 'a' give them");
     }
     return std::move(design_);
@@ -298,30 +244,8 @@ Design GemCadReader::read(std::string_view text) {
 
 }  // namespace
 
-Design parse_gemcad_asc(std::string_view text, const std::string& name) {
+Design read_asc(std::string_view text, const std::string& name) {
     return GemCadReader(name).read(text);
-}
-
-Design read_design(const std::filesystem::path& file) {
-    const std::string name = file.string();
-    std::string ending = file.extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    if (ending != ".asc") {
-        throw Error(name + ": only GemCad's .asc designs can be read: save the design as .asc");
-    }
-    std::error_code fault;
-    if (!std::filesystem::is_regular_file(file, fault)) {
-        throw Error(name + ": there is no such file: check the name and the folder");
-    }
-    if (std::filesystem::file_size(file, fault) > largest_file) {
-        throw Error(name + ": the file is larger than 16 MiB, which no design is: check the name");
-    }
-    std::ifstream stream(file, std::ios::binary);
-    const std::string text{std::istreambuf_iterator<char>(stream),
-                           std::istreambuf_iterator<char>()};
-    if (!stream) throw Error(name + ": the file cannot be read: check its permissions");
-    return parse_gemcad_asc(text, name);
 }
 
 }  // namespace icespar
