@@ -22,8 +22,14 @@ inline Complex square(const Complex& a, const Complex& b) {
 struct CrystalFrame {
     Vec3 a, b, c;
 
-    explicit CrystalFrame(const Vec3& axis)
-        : a(any_perpendicular(axis)), b(cross(axis, a)), c(axis) {}
+    /// The frame of Duff et al. (2017), with components that are small as precise as the axis's
+    /// own.
+    explicit CrystalFrame(const Vec3& axis) : c(axis) {
+        const double sign = std::copysign(1.0, c.z), f = 1 / (1 + std::abs(c.z));
+        a = {f * (c.y * c.y + std::abs(c.z) * (1 + std::abs(c.z))), -f * c.x * c.y, -sign * c.x};
+        b = {-sign * f * c.x * c.y, f * (c.x * c.x + std::abs(c.z) * (1 + std::abs(c.z))) * sign,
+             -c.y};
+    }
 
     /// Unit E along k x axis of the ordinary wave whose k has components (ka, kb) across the axis.
     template <class T>

@@ -31,8 +31,12 @@ struct FaceMedium {
         if (q_o2 > 0) {
             w2 = flow_squared(std::sqrt(q_o2));
         } else {
-            const double ct = kt * crystal.c.x;
-            w2 = eps_o * (eps_g() * (eps_e - kt * kt) - delta() * ct * ct);
+            // eg (ee - kt^2) - de ct^2 without its differences: with kt near n_o and the axis near
+            // kt all of it is small.
+            const Vec3& c = crystal.c;
+            const double tilt = c.y * c.y + c.z * c.z;
+            w2 = eps_o * (q_o2 * (eps_o + delta() * (c.x * c.x + c.z * c.z)) +
+                          delta() * (eps_o * tilt + delta() * c.z * c.z));
         }
     }
 

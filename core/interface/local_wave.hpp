@@ -114,7 +114,7 @@ std::array<LocalWave<T>, 2> waves_towards(const FaceMedium& m, double sign) {
 template <class T>
 std::array<LocalWave<T>, 2> incident_waves(const FaceMedium& m, const Vec3& E, double kn,
                                            bool extraordinary) {
-    constexpr double close = 0.1, noise = 1e-14;
+    constexpr double close = 0.1, noise = 2e-15;
     const CrystalPair<T> pair(m, +1);
     const CrystalFrame& f = m.crystal;
     double ka = m.kt * f.a.x + kn * f.a.z, kb = m.kt * f.b.x + kn * f.b.z;

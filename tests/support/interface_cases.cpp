@@ -32,7 +32,9 @@ const char* name(Stress stress) {
         "denser outside",
         "crystal to crystal",
         "backward wave",
-        "merging evanescent"};
+        "merging evanescent",
+        "critical along axis",
+        "critical, tiny birefringence"};
     return names[static_cast<std::size_t>(stress)];
 }
 

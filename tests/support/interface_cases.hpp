@@ -49,6 +49,8 @@ enum class Stress {
     crystal_to_crystal,
     backward_wave,
     merging_evanescent,
+    critical_along_axis,
+    critical_tiny_birefringence,
     count
 };
 

@@ -63,9 +63,8 @@ double discriminant_at(InterfaceCase c, const Vec3& tangent, double angle, const
 
 /// Moves the direction to the angle where a mode of `side` turns evanescent, times 1 + offset;
 /// false when there is no such angle.
-bool to_critical(InterfaceCase& c, Random& random, const Medium& side, bool extraordinary,
+bool to_critical(InterfaceCase& c, const Vec3& tangent, const Medium& side, bool extraordinary,
                  double offset) {
-    const Vec3 tangent = random.perpendicular_to(c.normal);
     double low = 0, high = std::numbers::pi / 2;
     if (discriminant_at(c, tangent, high, side, extraordinary) >= 0) return false;
     for (int i = 0; i < 60; ++i) {
@@ -187,7 +186,25 @@ bool draw(InterfaceCase& c, Random& random, Stress stress) {
         const bool extraordinary =
             reflected ? c.mode == Mode::ordinary : side.birefringent && random.uniform() < 0.5;
         const double offset = random.sign() * random.power_of_ten(-15.5, -3);
-        return to_critical(c, random, side, extraordinary, offset);
+        return to_critical(c, random.perpendicular_to(c.normal), side, extraordinary, offset);
+    }
+    if (stress == Stress::critical_along_axis || stress == Stress::critical_tiny_birefringence) {
+        // Both waves of one crystal turn evanescent together. Not so close to the critical angle
+        // and to the axis at once that the last ulp of the inputs spans every split into o and e.
+        const bool closest = random.uniform() < 0.5;
+        const Vec3 tangent = random.perpendicular_to(c.normal);
+        const bool reflected = c.from.birefringent && random.uniform() < 0.3;
+        Medium& side = reflected ? c.from : c.to;
+        if (stress == Stress::critical_along_axis) {
+            const double tilt = random.power_of_ten(closest ? -6 : -17, -1);
+            side = crystal(random, normalised(tangent + tilt * random.perpendicular_to(tangent)));
+        } else {
+            side = crystal(random, random.direction());
+            side.n_e = side.n_o + random.sign() * random.power_of_ten(-16, -2);
+        }
+        const bool extraordinary = reflected ? c.mode == Mode::ordinary : random.uniform() < 0.5;
+        const double offset = random.sign() * random.power_of_ten(closest ? -17 : -13, -3);
+        return to_critical(c, tangent, side, extraordinary, offset);
     }
     if (stress == Stress::one_mode_evanescent) {
         if (!c.to.birefringent) return false;

@@ -88,14 +88,6 @@ void EnergyTally::add(const InterfaceCase& c) {
     ++count_;
     const double error = energy_error(c);
     double excess = std::abs(error) * c.cos_ray / 1e-13;
-    if (excess > 1) {
-        // Beside a critical angle a wave's normal flux is its small q: rounding of the wave vector
-        // by a few ulp, and of its fields across q, is that many times eps / q of the power.
-        const Wave in = plane_wave(c.from, c.mode, c.direction, By::wave_normal, c.normal);
-        const OutgoingWaves out = Interface(c.from, c.to, c.normal, in).waves();
-        const double rounding = 20 * std::numeric_limits<double>::epsilon();
-        excess /= 1 + rounding / (1e-13 * distance_from_critical(out, c.normal));
-    }
     if (std::isnan(error)) ++invalid_, excess = std::numeric_limits<double>::infinity();
     if (worst_.size() == 10 && excess <= worst_.back().excess) return;
     if (worst_.size() == 10) worst_.pop_back();
