@@ -170,8 +170,8 @@ double distance(const std::vector<double>& a, const std::vector<double>& b) {
     return std::sqrt(sum);
 }
 
-/// Every input double moved by `ulps`: indices by their own ulp, components of unit vectors by that
-/// of 1.
+}  // namespace
+
 std::vector<InterfaceCase> moved(const InterfaceCase& c, double ulps) {
     constexpr double epsilon = std::numeric_limits<double>::epsilon();
     std::vector<InterfaceCase> cases;
@@ -194,8 +194,6 @@ std::vector<InterfaceCase> moved(const InterfaceCase& c, double ulps) {
     }
     return cases;
 }
-
-}  // namespace
 
 Answer core_answer(const InterfaceCase& c) { return answer(c, core_waves); }
 Answer reference_answer(const InterfaceCase& c) { return answer(c, reference_waves); }

@@ -25,6 +25,10 @@ using Answer = std::vector<Quantity>;
 [[nodiscard]] Answer core_answer(const InterfaceCase& c);
 [[nodiscard]] Answer reference_answer(const InterfaceCase& c);
 
+/// The case with one input double at a time moved by `ulps`: indices by their own ulp, components
+/// of unit vectors by that of 1.
+[[nodiscard]] std::vector<InterfaceCase> moved(const InterfaceCase& c, double ulps);
+
 struct Discrepancy {
     std::string quantity;
     double error = 0;         ///< |core - reference| / the reference's scale

@@ -1,0 +1,78 @@
+// Many faces in one call: the boundary problem over columns of numbers, several faces at a time.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "interface/wave.hpp"
+
+namespace icespar {
+
+/// One number for each face, `stride` apart; stride 0: the same for all. Columns of an array of
+/// vectors are three with stride 3.
+struct Column {
+    const double* data = nullptr;
+    std::ptrdiff_t stride = 1;
+};
+struct VectorColumn {
+    Column x, y, z;
+};
+
+/// A medium for each face, or one for all (stride 0).
+struct MediumColumn {
+    const Medium* data = nullptr;
+    std::ptrdiff_t stride = 0;
+};
+
+/// What is wanted of each face; without data it is neither computed nor stored.
+struct ResultColumn {
+    double* data = nullptr;
+    std::ptrdiff_t stride = 1;
+};
+struct VectorResult {
+    ResultColumn x, y, z;
+};
+struct ComplexResult {
+    VectorResult real, imag;
+};
+
+/// One incident wave of unit amplitude for each face, as `plane_wave` makes it.
+struct FaceBatch {
+    std::size_t count = 0;
+    MediumColumn from, to;
+    VectorColumn normal;     ///< unit, from medium `from` to medium `to`
+    VectorColumn direction;  ///< unit wave normal, or ray
+    Mode mode = Mode::s;
+    By by = By::wave_normal;
+};
+
+/// One wave of each face, as in Wave; the incident one has amplitude and power 1.
+struct WaveColumns {
+    ResultColumn power, amplitude_real, amplitude_imag;
+    VectorResult ray;
+    ComplexResult k, E, H;
+    ResultColumn n_phase, n_ray;
+    bool* propagating = nullptr;  ///< may be null
+    std::ptrdiff_t propagating_stride = 1;
+};
+
+struct BatchResult {
+    WaveColumns incident;
+    std::array<WaveColumns, 2> reflected, transmitted;
+};
+
+/// The code that a batch runs in. `scalar` is Interface, face by face.
+enum class Lanes { scalar, baseline, avx512 };
+
+/// The widest that this processor has.
+[[nodiscard]] Lanes widest_lanes();
+
+/// Solves the faces begin .. end - 1, so that threads can share a batch. Faces between transparent
+/// isotropic or uniaxial media are solved several at once and agree with Interface to rounding; all
+/// others, and waves about to merge, by Interface itself. Throws Error, naming the face as
+/// direction[i], where the wave does not carry energy towards the face; results are then
+/// incomplete.
+void solve_batch(const FaceBatch& faces, const BatchResult& wanted, std::size_t begin,
+                 std::size_t end, Lanes width = widest_lanes());
+
+}  // namespace icespar

@@ -1,0 +1,17 @@
+// The kernels of a batch as the rest of the library calls them, one for each instruction set.
+#pragma once
+
+#include "interface/batch.hpp"
+
+namespace icespar::lanes {
+
+/// Solves a face that lanes leave to Interface.
+using SolveOne = void (*)(const FaceBatch&, const BatchResult&, std::size_t);
+
+/// Faces begin .. end - 1 between transparent media, each isotropic or uniaxial.
+void run_baseline(const FaceBatch&, const BatchResult& wanted, std::size_t begin, std::size_t end,
+                  bool from_uniaxial, bool to_uniaxial, SolveOne);
+void run_avx512(const FaceBatch&, const BatchResult& wanted, std::size_t begin, std::size_t end,
+                bool from_uniaxial, bool to_uniaxial, SolveOne);
+
+}  // namespace icespar::lanes

@@ -1,0 +1,157 @@
+// Batches agree with Interface, face by face, in every code that the processor can run.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <limits>
+#include <vector>
+
+#include "interface/batch.hpp"
+#include "interface/interface.hpp"
+#include "math/error.hpp"
+#include "support/batch_arrays.hpp"
+#include "support/interface_cases.hpp"
+#include "support/reference_comparison.hpp"
+
+using namespace icespar;
+using namespace icespar::testing;
+
+namespace {
+
+std::vector<Lanes> available() {
+    std::vector<Lanes> all{Lanes::baseline};
+    if (widest_lanes() != Lanes::baseline) all.push_back(widest_lanes());
+    return all;
+}
+
+/// All that a batch says of one wave.
+using Found = BatchArrays::Found;
+
+/// The five waves of a face in a batch, and by Interface.
+std::array<Found, 5> in_batch(const BatchArrays& batch, std::size_t i) {
+    return {batch.incident(i), batch.reflected(i, 0), batch.reflected(i, 1),
+            batch.transmitted(i, 0), batch.transmitted(i, 1)};
+}
+std::array<Found, 5> alone(const InterfaceCase& c) {
+    const Wave in = plane_wave(c.from, c.mode, c.direction, By::wave_normal, c.normal);
+    const Interface face(c.from, c.to, c.normal, in);
+    const Coefficients a = face.solve(in);
+    const auto found = [](const Wave& w, const Complex& amplitude, double power) {
+        return Found{w.k, w.E, w.H, w.ray, amplitude, power, w.n_phase, w.n_ray, w.propagating};
+    };
+    return {found(in, 1, 1), found(face.reflected(0), a.reflected[0], a.reflected_power[0]),
+            found(face.reflected(1), a.reflected[1], a.reflected_power[1]),
+            found(face.transmitted(0), a.transmitted[0], a.transmitted_power[0]),
+            found(face.transmitted(1), a.transmitted[1], a.transmitted_power[1])};
+}
+
+/// Largest difference between two answers; amplitudes relative to their size.
+double difference(const std::array<Found, 5>& x, const std::array<Found, 5>& y) {
+    double error = 0;
+    for (std::size_t i = 0; i < 5; ++i) {
+        const Found &a = x[i], &b = y[i];
+        const double size = 1 + std::abs(b.amplitude), index = 1 + length(b.k);
+        for (const double d : {length(a.k - b.k), length(a.E - b.E), length(a.H - b.H) / index,
+                               length(a.ray - b.ray), std::abs(a.amplitude - b.amplitude) / size,
+                               std::abs(a.power - b.power), std::abs(a.n_phase - b.n_phase),
+                               std::abs(a.n_ray - b.n_ray)}) {
+            if (!(d <= error)) error = std::isnan(d) ? 1e300 : d;
+        }
+    }
+    return error;
+}
+
+/// What rounding of the inputs by an ulp each may change.
+double conditioning(const InterfaceCase& c) {
+    const auto here = alone(c);
+    double most = 0;
+    for (const double ulps : {1.0, -1.0}) {
+        double sum = 0;
+        for (const InterfaceCase& d : moved(c, ulps)) sum += difference(here, alone(d));
+        most = std::max(most, sum);
+    }
+    return most;
+}
+
+}  // namespace
+
+TEST_CASE("a batch of faces gives what each face gives alone", "[interface][batch]") {
+    Random random(61);
+    double worst = 0;
+    std::string where;
+    for (int kind = 0; kind < static_cast<int>(Stress::count); ++kind) {
+        for (const Mode mode : {Mode::s, Mode::p, Mode::ordinary, Mode::extraordinary}) {
+            std::vector<InterfaceCase> cases;
+            for (int tries = 0; tries < 800 && cases.size() < 103; ++tries) {
+                const InterfaceCase c = random_case(random, static_cast<Stress>(kind));
+                if (c.mode == mode) cases.push_back(c);
+            }
+            if (cases.empty()) continue;
+            for (const Lanes lanes : available()) {
+                BatchArrays batch(cases);
+                batch.solve(lanes);
+                for (std::size_t i = 0; i < cases.size(); ++i) {
+                    double excess = difference(in_batch(batch, i), alone(cases[i])) / 1e-12;
+                    if (!(excess <= 1)) excess /= 1 + 50 * conditioning(cases[i]) / 1e-12;
+                    if (excess <= worst) continue;
+                    worst = excess;
+                    where = std::string(name(static_cast<Stress>(kind))) + ": " + cases[i].text();
+                }
+            }
+        }
+    }
+    INFO(where);
+    CHECK(worst <= 1);
+}
+
+TEST_CASE("faces of a batch may have media of every kind side by side", "[interface][batch]") {
+    Random random(62);
+    std::vector<InterfaceCase> cases;
+    while (cases.size() < 200) {
+        InterfaceCase c = random_case(random, Stress::ordinary);
+        if (c.mode != Mode::p) continue;
+        if (random.uniform() < 0.2) {
+            c.to = Medium::biaxial({1.606, 1.609, 1.616}, {1, 0, 0}, {0, 1, 0});
+        }
+        cases.push_back(c);
+    }
+    BatchArrays batch(cases);
+    for (const Lanes lanes : available()) {
+        batch.solve(lanes);
+        for (std::size_t i = 0; i < cases.size(); ++i) {
+            CHECK(difference(in_batch(batch, i), alone(cases[i])) < 1e-12);
+        }
+    }
+}
+
+TEST_CASE("what all faces of a batch share is given once", "[interface][batch]") {
+    Random random(63);
+    std::vector<InterfaceCase> cases;
+    InterfaceCase c = random_case(random, Stress::crystal_to_crystal);
+    for (int i = 0; i < 50; ++i) {
+        const Vec3 d = random.direction();
+        c.direction = dot(d, c.normal) < 0 ? -d : d;
+        c.mode = Mode::ordinary;
+        cases.push_back(c);
+    }
+    BatchArrays each(cases), shared(cases);
+    shared.faces.from = {&c.from, 0};
+    shared.faces.to = {&c.to, 0};
+    shared.faces.normal = {{&c.normal.x, 0}, {&c.normal.y, 0}, {&c.normal.z, 0}};
+    each.solve(widest_lanes());
+    shared.solve(widest_lanes());
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        CHECK(difference(in_batch(each, i), in_batch(shared, i)) == 0);
+    }
+}
+
+TEST_CASE("a wave that leaves its face stops the batch by name", "[interface][batch]") {
+    Random random(64);
+    std::vector<InterfaceCase> cases(20, random_case(random, Stress::ordinary));
+    cases[13].direction = -cases[13].direction;
+    BatchArrays batch(cases);
+    for (const Lanes lanes : available()) {
+        CHECK_THROWS_WITH(batch.solve(lanes), Catch::Contains("direction[13]"));
+    }
+    cases[13].direction = {std::nan(""), 0, 1};
+    BatchArrays broken(cases);
+    CHECK_THROWS_AS(broken.solve(widest_lanes()), Error);
+}
