@@ -71,6 +71,10 @@ double largest(const ComplexTensor& t) {
     return size;
 }
 
+std::string element(std::size_t row, std::size_t column) {
+    return "eps[" + std::to_string(row) + "][" + std::to_string(column) + "]";
+}
+
 Medium biaxial_from(const ComplexTensor& eps, bool absorbing) {
     Medium m;
     m.birefringent = true;
@@ -121,11 +125,12 @@ Medium Medium::uniaxial(Complex n_o, Complex n_e, const Vec3& axis) {
 }
 
 Medium Medium::biaxial(const std::array<Complex, 3>& n, const Vec3& first, const Vec3& second) {
-    for (const Complex& index : n) require_index(index, "a principal index");
-    const Vec3 x = unit_axis(first, "the first principal axis");
-    Vec3 y = unit_axis(second, "the second principal axis");
+    for (std::size_t i = 0; i < 3; ++i)
+        require_index(n[i], ("n[" + std::to_string(i) + "]").c_str());
+    const Vec3 x = unit_axis(first, "axes[0]");
+    Vec3 y = unit_axis(second, "axes[1]");
     if (std::abs(dot(x, y)) > 1e-6) {
-        throw Error("the principal axes of a biaxial medium must be perpendicular");
+        throw Error("axes[0] and axes[1] must be perpendicular; the third axis follows from them");
     }
     y = normalised(y - dot(x, y) * x);
     const std::array<Vec3, 3> axes{x, y, cross(x, y)};
@@ -154,15 +159,21 @@ Medium Medium::biaxial(const std::array<Complex, 3>& n, const Vec3& first, const
 
 Medium Medium::active(double n_o, double n_e, const Vec3& axis, double rotation_deg_per_mm,
                       double wavelength_nm, double g_ratio) {
-    Medium m = uniaxial(n_o, n_e, axis);
     if (!std::isfinite(rotation_deg_per_mm) || !std::isfinite(wavelength_nm) ||
         wavelength_nm <= 0 || !std::isfinite(g_ratio)) {
         throw Error("the rotary power must be finite and the wavelength finite and positive");
     }
-    m.gyration = rotation_deg_per_mm * wavelength_nm * 1e-6 / 360;
-    m.gyration_along = (2 * g_ratio - 1) * m.gyration;
-    if (std::max(std::abs(m.gyration), std::abs(m.gyration_along)) >= std::min(n_o, n_e)) {
-        throw Error("the rotary power is too large: alpha must stay below the indices");
+    const double gyration = rotation_deg_per_mm * wavelength_nm * 1e-6 / 360;
+    return gyrotropic(n_o, n_e, axis, gyration, (2 * g_ratio - 1) * gyration);
+}
+
+Medium Medium::gyrotropic(double n_o, double n_e, const Vec3& axis, double gyration,
+                          double gyration_along) {
+    Medium m = uniaxial(n_o, n_e, axis);
+    m.gyration = gyration;
+    m.gyration_along = gyration_along;
+    if (!(std::max(std::abs(gyration), std::abs(gyration_along)) < std::min(n_o, n_e))) {
+        throw Error("the rotary power is too large: the gyration must stay below the indices");
     }
     return m;
 }
@@ -170,10 +181,11 @@ Medium Medium::active(double n_o, double n_e, const Vec3& axis, double rotation_
 Medium Medium::from_tensor(const std::array<std::array<Complex, 3>, 3>& eps) {
     constexpr double rounding = std::numeric_limits<double>::epsilon();
     double size = 0;
-    for (const auto& row : eps) {
-        for (const Complex& z : row) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t j = 0; j < 3; ++j) {
+            const Complex& z = eps[i][j];
             if (!std::isfinite(z.real()) || !std::isfinite(z.imag())) {
-                throw Error("a dielectric tensor must be finite");
+                throw Error(element(i, j) + " is not finite; a dielectric tensor must be");
             }
             size = std::max(size, std::abs(z));
         }
@@ -181,7 +193,8 @@ Medium Medium::from_tensor(const std::array<std::array<Complex, 3>, 3>& eps) {
     for (std::size_t i = 0; i < 3; ++i) {
         for (std::size_t j = 0; j < i; ++j) {
             if (std::abs(eps[i][j] - eps[j][i]) > 1e-12 * size) {
-                throw Error("a dielectric tensor must be symmetric");
+                throw Error(element(i, j) + " and " + element(j, i) +
+                            " differ; a dielectric tensor must be symmetric");
             }
         }
     }
@@ -190,12 +203,12 @@ Medium Medium::from_tensor(const std::array<std::array<Complex, 3>, 3>& eps) {
     const double loss_tolerance = 8 * rounding * largest(complexified(imag(t)));
     const double loss = principal_axes(imag(t)).values[0];
     if (loss < -loss_tolerance) {
-        throw Error("a dielectric tensor must not give energy to light: Im eps >= 0");
+        throw Error("eps gives energy to light; no eigenvalue of Im eps may be negative");
     }
     // Where eps does not absorb it must be positive; a large multiple of the loss hides the rest.
     const RealTensor guard = real(t) + 1e6 * imag(t);
     if (!(principal_axes(guard).values[0] > 0)) {
-        throw Error("a dielectric tensor that does not absorb must be positive definite");
+        throw Error("eps is not positive definite; where it does not absorb it must be");
     }
     const bool absorbing = !(imag(t) == RealTensor{});
     const Classified kind = classified(t, 16 * rounding * size);
@@ -218,6 +231,33 @@ ComplexTensor Medium::permittivity() const {
     const Complex difference =
         Complex(n_e - n_o, kappa_e - kappa_o) * Complex(n_e + n_o, kappa_e + kappa_o);
     return ComplexTensor::diagonal(o, o, o) + difference * complexified(dyad(axis));
+}
+
+bool operator==(const Medium& a, const Medium& b) {
+    if (a.symmetry != b.symmetry) return false;
+    if (a.symmetry == Symmetry::biaxial) return a.mean == b.mean && a.deviation == b.deviation;
+    const bool same_axis =
+        a.symmetry == Symmetry::isotropic || a.axis == b.axis || a.axis == -b.axis;
+    return same_axis && a.n_o == b.n_o && a.n_e == b.n_e && a.kappa_o == b.kappa_o &&
+           a.kappa_e == b.kappa_e && a.gyration == b.gyration &&
+           a.gyration_along == b.gyration_along;
+}
+
+std::array<Complex, 3> principal_indices(const Medium& m) {
+    std::array<Complex, 3> n;
+    double size = 0, across = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const CVec3 image = m.deviation * m.principal[i];
+        const Complex eps = m.mean + dot(m.principal[i], image);
+        const double loss = eps.imag() > 1e-15 * std::abs(eps) ? eps.imag() : 0;
+        n[i] = std::sqrt(Complex(eps.real(), loss));
+        size = std::max(size, std::abs(eps));
+        across = std::max(across, length(cross(m.principal[i], image)));
+    }
+    // Where the loss has axes of its own, a complex index would describe another medium.
+    if (!m.absorbing || across > 1e-12 * size)
+        n = {m.n_principal[0], m.n_principal[1], m.n_principal[2]};
+    return n;
 }
 
 CVec3 MediumCore::magnetic_field(const CVec3& k, const CVec3& E) const {

@@ -70,13 +70,24 @@ struct Medium : MediumCore {
     /// `g_ratio` = G11 / G33 (quartz: about -0.5); 0: no rotation across the axis.
     static Medium active(double n_o, double n_e, const Vec3& axis, double rotation_deg_per_mm,
                          double wavelength_nm, double g_ratio = 0);
+    /// The same by its dimensionless constants, as stated above: below the indices in magnitude.
+    static Medium gyrotropic(double n_o, double n_e, const Vec3& axis, double gyration,
+                             double gyration_along);
     /// Isotropic, uniaxial or biaxial as the tensor (rows) is, within roundings of its elements.
     /// Throws Error when it is not finite, not symmetric, gives energy to light (a negative
     /// eigenvalue of Im eps) or, where it does not absorb, is not positive definite.
     static Medium from_tensor(const std::array<std::array<Complex, 3>, 3>& eps);
 
     [[nodiscard]] ComplexTensor permittivity() const;
+
+    /// The same symmetry, hence names of modes, and the same numbers; an axis and its opposite are
+    /// the same axis.
+    friend bool operator==(const Medium& a, const Medium& b);
 };
+
+/// Principal indices of a biaxial medium along its `principal` axes. Where Re eps and Im eps have
+/// no common axes they are those of Re eps, without absorption; the permittivity says all.
+[[nodiscard]] std::array<Complex, 3> principal_indices(const Medium& medium);
 
 /// The directions of equal indices for both waves (binormals).
 struct OpticAxes {

@@ -4,6 +4,30 @@
 
 namespace icespar::python {
 
+namespace {
+
+/// `kinds`: NumPy's letters of the types that are welcome.
+py::array numbers(const py::object& values, const char* argument, const char* kinds,
+                  const char* wanted) {
+    const py::array array = py::array::ensure(values);
+    if (!array || std::string(kinds).find(array.dtype().kind()) == std::string::npos)
+        throw py::value_error(std::string(argument) + ": " + wanted + " numbers are needed");
+    return array;
+}
+
+}  // namespace
+
+Doubles real_array(const py::object& values, const char* argument) {
+    return numbers(values, argument, "iuf", "real");
+}
+
+py::array_t<Complex, py::array::c_style | py::array::forcecast> complex_array(
+    const py::object& values, const char* argument) {
+    return numbers(values, argument, "iufc", "real or complex");
+}
+
+std::string shape_of(const py::array& array) { return py::str(array.attr("shape")); }
+
 std::vector<Vec3> rows(const Doubles& array, const char* argument) {
     if (array.ndim() != 2 || array.shape(1) != 3)
         throw py::value_error(std::string(argument) + " must have the shape (N, 3)");
@@ -14,9 +38,11 @@ std::vector<Vec3> rows(const Doubles& array, const char* argument) {
     return result;
 }
 
-Vec3 vector(const Doubles& array, const char* argument) {
+Vec3 vector(const py::object& values, const char* argument) {
+    const Doubles array = real_array(values, argument);
     if (array.ndim() != 1 || array.shape(0) != 3)
-        throw py::value_error(std::string(argument) + " must have three numbers");
+        throw py::value_error(std::string(argument) + ": shape " + shape_of(array) +
+                              " is not (3,)");
     return {array.at(0), array.at(1), array.at(2)};
 }
 
@@ -41,6 +67,7 @@ PYBIND11_MODULE(_core, module) {
     auto& error = py::register_exception<icespar::Error>(module, "Error", PyExc_ValueError);
     error.attr("__module__") = "icespar";
     error.attr("__doc__") = "A call that cannot be carried out; the message ends with the remedy.";
+    icespar::python::bind_medium(module);
     icespar::python::bind_optics(module);
     icespar::python::bind_stone(module);
     icespar::python::bind_image(module);

@@ -17,13 +17,15 @@ namespace {
 Stone stone_from_planes(const Doubles& normals, const Doubles& distances,
                         const std::vector<std::string>& names) {
     const std::vector<Vec3> n = rows(normals, "normals");
-    if (distances.ndim() != 1 || static_cast<std::size_t>(distances.shape(0)) != n.size())
-        throw py::value_error("distances must have the shape (N,) where normals has (N, 3)");
+    const bool one = distances.ndim() == 0;
+    if (!one && (distances.ndim() != 1 || static_cast<std::size_t>(distances.shape(0)) != n.size()))
+        throw py::value_error(
+            "distances must be one number, or have the shape (N,) where normals has (N, 3)");
     if (!names.empty() && names.size() != n.size())
         throw py::value_error("names must have one name for each plane, or be empty");
     std::vector<FacetPlane> planes(n.size());
     for (std::size_t i = 0; i < n.size(); ++i)
-        planes[i] = {n[i], distances.data()[i], names.empty() ? std::string() : names[i]};
+        planes[i] = {n[i], distances.data()[one ? 0 : i], names.empty() ? std::string() : names[i]};
     const py::gil_scoped_release unlocked;
     return Stone::from_planes(planes);
 }
@@ -62,7 +64,8 @@ void bind_stone(py::module_& module) {
             "from_planes", &stone_from_planes, "normals"_a, "distances"_a,
             "names"_a = std::vector<std::string>{},
             "The points with normals . p <= distances: normals (N, 3) outwards, of any length, "
-            "distances (N,).\n\nError when a number is not finite, a normal is 0, nothing is "
+            "distances (N,) or one number for all.\n\nError when a number is not finite, a normal "
+            "is 0, nothing is "
             "enclosed, or the stone is open.")
         .def_static("from_points", &stone_from_points, "points"_a,
                     "The convex hull of points (N, 3). Error when they lie in one plane.")

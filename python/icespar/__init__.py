@@ -5,15 +5,16 @@
 >>> picture = scene.render(size=(640, 480), error=0.02)
 >>> picture.save("grid.exr")
 
-The physics of a single face is `interface`, with `Medium`; stones by themselves are `Stone`; what a stone
-may be made of is `minerals`. Lengths are millimetres, wavelengths nanometres of vacuum, angles degrees.
+The physics of a single face is `interface`, with `Medium` and its `modes`; stones by themselves are `Stone`;
+what a stone may be made of is `minerals`. Lengths are millimetres, wavelengths nanometres of vacuum; angles
+are degrees in scenes and radians elsewhere.
 Scenes have the left-handed world of the scene language; `interface` and `Stone` are right-handed.
 """
 
-from ._core import Diagnostic, Error, Medium, Mineral, Progress, RenderReport, Stone, __version__
+from ._core import Diagnostic, Error, IndexFunction, Medium, Mineral, Progress, RenderReport, Stone, __version__
 from .image import Image
 from .minerals import mineral, minerals
-from .optics import Incident, Interface, Outgoing, interface
+from .optics import Incident, Interface, Modes, Outgoing, interface
 from .scene import Scene, SceneError, SceneWarning, load
 
 __all__ = [
@@ -21,9 +22,11 @@ __all__ = [
     "Error",
     "Image",
     "Incident",
+    "IndexFunction",
     "Interface",
     "Medium",
     "Mineral",
+    "Modes",
     "Outgoing",
     "Progress",
     "RenderReport",

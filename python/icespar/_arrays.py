@@ -1,7 +1,11 @@
 """Checks of the arrays that callers hand in: shapes that broadcast over rays, and vectors that point."""
 
+import os
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+
+from ._core import Error
 
 
 def vectors(name: str, value: ArrayLike) -> NDArray[np.float64]:
@@ -14,6 +18,7 @@ def vectors(name: str, value: ArrayLike) -> NDArray[np.float64]:
         raise ValueError(f"{name}: real numbers are needed, not {array.dtype}")
     if array.ndim not in (1, 2) or array.shape[-1] != 3:
         raise ValueError(f"{name}: shape {array.shape} is neither (3,) nor (N, 3)")
+    require_memory(name, array.size // 3, 48)
     array = array.astype(np.float64)
     bad = ~np.isfinite(array).all(axis=-1)
     if bad.any():
@@ -40,6 +45,19 @@ def together(**arrays: NDArray[np.float64]) -> list[NDArray[np.float64]]:
         raise ValueError(f"shapes do not broadcast: {shapes}")
     n = lengths.pop() if lengths else 1
     return [np.ascontiguousarray(np.broadcast_to(array, (n, 3))) for array in arrays.values()]
+
+
+def require_memory(name: str, count: int, bytes_each: int) -> None:
+    """Error when `count` rays do not fit into this machine's memory at all."""
+    try:
+        memory = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
+    except (AttributeError, OSError, ValueError):
+        return  # not known here
+    if count * bytes_each > memory:
+        raise Error(
+            f"{name}: {count} rays need {count * bytes_each / 2**30:.0f} GiB, this machine has "
+            f"{memory / 2**30:.0f}; pass them in batches"
+        )
 
 
 def _element(name: str, array: NDArray[np.float64], bad: NDArray[np.bool_]) -> str:

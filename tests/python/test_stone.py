@@ -20,6 +20,10 @@ def test_a_box_from_planes_has_its_volume_areas_and_corners():
     assert stone.unreached == []
 
 
+def test_one_distance_serves_all_planes():
+    assert icespar.Stone.from_planes(AXES, 1.5).volume == pytest.approx(27, rel=1e-14)
+
+
 def test_facets_run_counter_clockwise_as_seen_from_outside():
     rng = np.random.default_rng(3)
     stone = icespar.Stone.from_points(rng.normal(size=(40, 3)))

@@ -11,7 +11,7 @@ ADDED = {"name", "value"}
 
 
 def public(names):
-    return {name for name in names if not name.startswith("_") or name in ("__version__", "__eq__")}
+    return {name for name in names if not name.startswith("_") or name in ("__version__", "__eq__", "__call__")}
 
 
 def stub_names(body):
@@ -35,7 +35,7 @@ def test_the_stub_names_everything_in_the_module(root):
             real -= ADDED
         if "__eq__" not in set(stub_names(node.body)):
             real -= {"__eq__"}
-        assert set(stub_names(node.body)) == real, node.name
+        assert set(stub_names(node.body)) - {"__init__"} == real, node.name
 
 
 def test_the_stub_has_the_functions_arguments(root):
