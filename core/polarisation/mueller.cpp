@@ -156,6 +156,11 @@ double diattenuation(const Mueller& m) {
     return row[0] > 0 ? std::sqrt(row[1] * row[1] + row[2] * row[2] + row[3] * row[3]) / row[0] : 0;
 }
 
+double polarisance(const Mueller& m) {
+    const double a = m.m[1][0], b = m.m[2][0], c = m.m[3][0];
+    return m.m[0][0] > 0 ? std::sqrt(a * a + b * b + c * c) / m.m[0][0] : 0;
+}
+
 double retardance(double n_fast, double n_slow, double length_mm, double wavelength_nm) {
     return 2 * std::numbers::pi * (n_slow - n_fast) * length_mm / (wavelength_nm * 1e-6);
 }

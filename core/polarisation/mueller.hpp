@@ -139,6 +139,9 @@ struct Mueller {
 /// Ratio of difference to sum of the largest and least transmittance (Lu & Chipman 1996, eq. 11).
 [[nodiscard]] double diattenuation(const Mueller& m);
 
+/// Degree of polarisation that unpolarised light leaves with (Lu & Chipman 1996, eq. 13).
+[[nodiscard]] double polarisance(const Mueller& m);
+
 /// Polarised part of the light, 0 .. 1; 0 for no light.
 [[nodiscard]] inline double degree_of_polarisation(const Stokes& s) {
     return s.s0 > 0 ? std::sqrt(s.s1 * s.s1 + s.s2 * s.s2 + s.s3 * s.s3) / s.s0 : 0;

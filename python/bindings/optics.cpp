@@ -3,6 +3,7 @@
 
 #include "bindings.hpp"
 #include "interface/interface.hpp"
+#include "interface/mueller_at_face.hpp"
 #include "math/error.hpp"
 
 namespace icespar::python {
@@ -115,6 +116,15 @@ void each_ray(std::size_t count, F&& f) {
     }
 }
 
+/// The wave of each ray, which must carry energy through the face.
+Wave arriving(const Medium& medium, Mode mode, const Vec3& direction, By by, const Vec3& normal) {
+    const Wave wave = plane_wave(medium, mode, direction, by, normal);
+    constexpr double least_flux = 1e-140;
+    if (wave.flux(normal) > least_flux) return wave;
+    throw Error(
+        "the energy of this wave leaves the face or runs along it; it must flow along the normal");
+}
+
 py::tuple solve_interface(const Medium& medium1, const Medium& medium2, const Doubles& normals,
                           const Doubles& directions, By by, Mode mode) {
     const std::vector<Vec3> n = rows(normals, "normal"), d = rows(directions, "direction");
@@ -123,12 +133,7 @@ py::tuple solve_interface(const Medium& medium1, const Medium& medium2, const Do
     Waves incident({count});
     Outgoing reflected(count), transmitted(count);
     each_ray(n.size(), [&](std::size_t i, py::ssize_t ray) {
-        const Wave wave = plane_wave(medium1, mode, d[i], by, n[i]);
-        constexpr double least_flux = 1e-140;
-        if (!(wave.flux(n[i]) > least_flux))
-            throw Error(
-                "the energy of this wave leaves the face or runs along it; it must flow along the "
-                "normal");
+        const Wave wave = arriving(medium1, mode, d[i], by, n[i]);
         const Interface face(medium1, medium2, n[i], wave);
         const OutgoingWaves waves = face.waves();
         const Coefficients c = face.solve(wave);
@@ -163,6 +168,36 @@ py::dict waves_of(const Medium& medium, const Doubles& directions, By by) {
     return all;
 }
 
+void put(const Mueller& m, py::ssize_t at, Doubles& to) {
+    double* const place = to.mutable_data() + 16 * at;
+    for (std::size_t i = 0; i < 16; ++i) place[i] = m.m[i / 4][i % 4];
+}
+
+py::dict muellers_at_face(const Medium& medium1, const Medium& medium2, const Doubles& normals,
+                          const Doubles& directions, By by, Mode mode) {
+    const std::vector<Vec3> n = rows(normals, "normal"), d = rows(directions, "direction");
+    if (n.size() != d.size()) throw py::value_error("normal and direction differ in length");
+    const auto count = static_cast<py::ssize_t>(n.size());
+    Doubles reflected(Shape{count, 2, 4, 4}), transmitted(Shape{count, 2, 4, 4});
+    Doubles reflected_light(Shape{count, 4, 4}), transmitted_light(Shape{count, 4, 4});
+    each_ray(n.size(), [&](std::size_t i, py::ssize_t ray) {
+        const FaceMueller m =
+            mueller_at_face(medium1, medium2, n[i], arriving(medium1, mode, d[i], by, n[i]));
+        for (std::size_t wave = 0; wave < 2; ++wave) {
+            put(m.reflected[wave], 2 * ray + static_cast<py::ssize_t>(wave), reflected);
+            put(m.transmitted[wave], 2 * ray + static_cast<py::ssize_t>(wave), transmitted);
+        }
+        if (m.reflected_light) put(*m.reflected_light, ray, reflected_light);
+        if (m.transmitted_light) put(*m.transmitted_light, ray, transmitted_light);
+    });
+    py::dict all(py::arg("reflected") = reflected, py::arg("transmitted") = transmitted,
+                 py::arg("reflected_light") = py::none(),
+                 py::arg("transmitted_light") = py::none());
+    if (!medium1.birefringent) all["reflected_light"] = reflected_light;
+    if (!medium2.birefringent) all["transmitted_light"] = transmitted_light;
+    return all;
+}
+
 }  // namespace
 
 void bind_optics(py::module_& module) {
@@ -180,6 +215,9 @@ void bind_optics(py::module_& module) {
         "by"_a, "mode"_a,
         "The boundary problem for unit (N, 3) normals and directions: incident, reflected and "
         "transmitted waves as dictionaries of arrays.");
+    module.def("mueller_at_face", &muellers_at_face, "medium1"_a, "medium2"_a, "normal"_a,
+               "direction"_a, "by"_a, "mode"_a,
+               "Mueller matrices of the waves that leave, as a dictionary of arrays.");
     module.def("waves", &waves_of, "medium"_a, "direction"_a, "by"_a,
                "Both waves for each of the unit (N, 3) directions, as a dictionary of arrays; mode "
                "is the place in the medium's pair of names.");

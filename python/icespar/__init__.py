@@ -5,12 +5,14 @@
 >>> picture = scene.render(size=(640, 480), error=0.02)
 >>> picture.save("grid.exr")
 
-The physics of a single face is `interface`, with `Medium` and its `modes`; stones by themselves are `Stone`;
+The physics of a single face is `interface`, with `Medium` and its `modes`; the algebra of Stokes vectors,
+Mueller and Jones matrices is the module `polarisation`; stones by themselves are `Stone`;
 what a stone may be made of is `minerals`. Lengths are millimetres, wavelengths nanometres of vacuum; angles
 are degrees in scenes and radians elsewhere.
 Scenes have the left-handed world of the scene language; `interface` and `Stone` are right-handed.
 """
 
+from . import polarisation
 from ._core import Diagnostic, Error, IndexFunction, Medium, Mineral, Progress, RenderReport, Stone, __version__
 from .image import Image
 from .minerals import mineral, minerals
@@ -39,4 +41,5 @@ __all__ = [
     "load",
     "mineral",
     "minerals",
+    "polarisation",
 ]

@@ -128,21 +128,15 @@ def interface(
     for name, medium in (("medium1", medium1), ("medium2", medium2)):
         if not isinstance(medium, Medium):
             raise TypeError(f"{name}: an icespar.Medium is needed, not {type(medium).__name__}")
-    core_by = _by(by)
-    fitting = names_of_modes(medium1)
-    core_mode = _MODES.get(mode) if isinstance(mode, str) else None
-    if core_mode is None or core_mode.name not in fitting:
-        kind = "active" if medium1.active else medium1.symmetry
-        raise ValueError(f"mode: {mode!r} is not a mode of {kind} medium1; it has {fitting[0]!r} and {fitting[1]!r}")
-
+    core_by, core = core_mode(medium1, by, mode)
     n, d = together(normal=directions("normal", normal), direction=directions("direction", direction))
     require_memory("direction", len(d), _BYTES_A_RAY)
-    incident, reflected, transmitted = _core.solve_interface(medium1, medium2, n, d, core_by, core_mode)
+    incident, reflected, transmitted = _core.solve_interface(medium1, medium2, n, d, core_by, core)
     if not medium1.absorbing:
         incident["k"] = incident["k"].real.copy()
     return Interface(
-        Incident(mode=np.broadcast_to(core_mode.name, len(n)), **incident),
-        Outgoing(mode=np.broadcast_to(fitting, (len(n), 2)), **reflected),
+        Incident(mode=np.broadcast_to(core.name, len(n)), **incident),
+        Outgoing(mode=np.broadcast_to(names_of_modes(medium1), (len(n), 2)), **reflected),
         Outgoing(mode=np.broadcast_to(names_of_modes(medium2), (len(n), 2)), **transmitted),
     )
 
@@ -176,6 +170,16 @@ def names_of_modes(medium: Medium) -> tuple[str, str]:
     if medium.symmetry == "biaxial" or medium.active:
         return "fast", "slow"
     return ("o", "e") if medium.birefringent else ("s", "p")
+
+
+def core_mode(medium1: Medium, by: str, mode: str | None) -> tuple[_core.By, _core.Mode]:
+    """What the C++ module calls them; ValueError for a mode that medium1 has not."""
+    fitting = names_of_modes(medium1)
+    found = _MODES.get(mode) if isinstance(mode, str) else None
+    if found is None or found.name not in fitting:
+        kind = "active" if medium1.active else medium1.symmetry
+        raise ValueError(f"mode: {mode!r} is not a mode of {kind} medium1; it has {fitting[0]!r} and {fitting[1]!r}")
+    return _by(by), found
 
 
 def _by(by: str) -> _core.By:

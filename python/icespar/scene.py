@@ -163,7 +163,8 @@ class Scene:
         as in a POV-Ray picture (right, up, direction = x, y, z). Values are in units of the environment's
         illuminant at `wavelength_nm`.
         `max_hits` bounds the interface events of a path, the entry (or outer reflection) being the first;
-        a branch whose weight is below `threshold` is dropped before it is continued. With
+        a branch whose weight is below `threshold` is dropped before it is continued. With neither bound,
+        branches below 1e-16 are dropped, and a ray ends after 2^16 events, heaviest branches first. With
         `return_dropped` also what the dropped branches would have added under unit unpolarised light from
         everywhere, (N, 4): in such a furnace both arrays add up to 1, 0, 0, 0.
 

@@ -7,8 +7,8 @@ import pytest
 import icespar
 
 
-def blocks(root, language):
-    return re.findall(rf"```{language}\n(.*?)```", (root / "README.md").read_text(), re.S)
+def blocks(root, language, page="README.md"):
+    return re.findall(rf"```{language}\n(.*?)```", (root / page).read_text(), re.S)
 
 
 def test_the_readmes_python_runs(root, tmp_path, monkeypatch):
@@ -19,6 +19,13 @@ def test_the_readmes_python_runs(root, tmp_path, monkeypatch):
     exec(compile(example, "README.md", "exec"), names)
     assert (tmp_path / "grid.exr").exists()
     assert names["stokes"].shape == (1, 4)
+
+
+def test_the_python_page_runs(root):
+    names = {}
+    for number, example in enumerate(blocks(root, "python", "docs/python.md")):
+        exec(compile(example, f"docs/python.md, block {number}", "exec"), names)
+    assert names["walk_off"] == pytest.approx(6.26, abs=0.01)
 
 
 def test_the_readmes_scene_has_no_fault(root):
