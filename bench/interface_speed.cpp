@@ -90,6 +90,15 @@ void row(int runs, const char* what, const Medium& from, const Medium& to, Mode 
     BatchArrays arrays(all);
     arrays.faces.from = {&from, 0};
     arrays.faces.to = {&to, 0};
+    const Vec3& n = all[0].normal;
+    arrays.faces.normal = {{&n.x, 0}, {&n.y, 0}, {&n.z, 0}};
+    std::array<std::vector<double>, 3> d;
+    for (const auto& c : all) {
+        d[0].push_back(c.direction.x);
+        d[1].push_back(c.direction.y);
+        d[2].push_back(c.direction.z);
+    }
+    arrays.faces.direction = {{d[0].data()}, {d[1].data()}, {d[2].data()}};
     const auto outgoing = [&](bool rays, bool fields) {
         BatchResult wanted;
         for (int side = 0; side < 2; ++side) {
@@ -100,7 +109,6 @@ void row(int runs, const char* what, const Medium& from, const Medium& to, Mode 
                 w.power = have.power;
                 if (!rays) continue;
                 w.ray = have.ray;
-                w.k.real = have.k.real;
                 if (fields) w = have;
             }
         }

@@ -67,6 +67,16 @@ void solve_one(const FaceBatch& faces, const BatchResult& wanted, std::size_t i)
         put(wanted.transmitted[m], i, face.transmitted(m), c.transmitted[m],
             c.transmitted_power[m]);
     }
+    put(wanted.reflected_total.power, i, c.reflected_total);
+    put(wanted.transmitted_total.power, i, c.transmitted_total);
+    if (lanes::fields_wanted(wanted.reflected_total) ||
+        lanes::fields_wanted(wanted.transmitted_total)) {
+        const SummedFields sum = face.summed_fields(wave);
+        put(wanted.reflected_total.E, i, sum.reflected_E);
+        put(wanted.reflected_total.H, i, sum.reflected_H);
+        put(wanted.transmitted_total.E, i, sum.transmitted_E);
+        put(wanted.transmitted_total.H, i, sum.transmitted_H);
+    }
 }
 
 /// The end of the run of media of one kind that starts at `begin`.

@@ -56,9 +56,16 @@ struct WaveColumns {
     std::ptrdiff_t propagating_stride = 1;
 };
 
+/// Both waves of one side together, as in Coefficients and SummedFields.
+struct TotalColumns {
+    ResultColumn power;
+    ComplexResult E, H;
+};
+
 struct BatchResult {
     WaveColumns incident;
     std::array<WaveColumns, 2> reflected, transmitted;
+    TotalColumns reflected_total, transmitted_total;
 };
 
 /// The code that a batch runs in. `scalar` is Interface, face by face.

@@ -194,20 +194,27 @@ Wave Interface::built(const Side& side, const MediumCore& medium, std::size_t i)
     Wave w;
     w.mode = modes_of(medium)[i];
     w.propagating = side.propagating[i];
+    if (w.propagating && medium.plain()) {
+        // All real.
+        const CVec3& F = side.E[i];
+        const Vec3 k = kt_.real() * x_ + side.q[i].real() * normal_,
+                   E = F.x.real() * x_ + F.y.real() * y_ + F.z.real() * normal_;
+        w.k = complexified(k);
+        w.E = complexified(E);
+        w.H = complexified(cross(k, E));
+        w.n_phase = length(k);
+        w.ray = w.mode == Mode::extraordinary ? extraordinary_ray(medium, k) : k / w.n_phase;
+        w.n_ray = dot(k, w.ray);
+        return w;
+    }
     w.k = kt_ * x_ + side.q[i] * normal_;
     w.E = side.E[i].x * x_ + side.E[i].y * y_ + side.E[i].z * normal_;
     w.H = medium.magnetic_field(w.k, w.E);
     const Vec3 k = real(w.k);
     w.n_phase = length(k);
-    if (!w.propagating || !medium.plain()) {
-        const Vec3 flow = real(cross(w.E, conj(w.H)));
-        const double size = length(flow);
-        w.ray = size > 0 ? flow / size : x_;
-    } else if (w.mode == Mode::extraordinary) {
-        w.ray = extraordinary_ray(medium, k);
-    } else {
-        w.ray = k / w.n_phase;
-    }
+    const Vec3 flow = real(cross(w.E, conj(w.H)));
+    const double size = length(flow);
+    w.ray = size > 0 ? flow / size : x_;
     w.n_ray = dot(k, w.ray);
     return w;
 }

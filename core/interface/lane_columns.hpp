@@ -22,9 +22,11 @@ struct Group {
         if (column.stride == 1 && full()) {
             return V(column.data + first, std::experimental::element_aligned);
         }
-        return V([&](auto lane) {
-            return column.data[static_cast<std::ptrdiff_t>(face(lane)) * column.stride];
-        });
+        double lanes[V::size()];
+        for (std::size_t lane = 0; lane < V::size(); ++lane) {
+            lanes[lane] = column.data[static_cast<std::ptrdiff_t>(face(lane)) * column.stride];
+        }
+        return V(lanes, std::experimental::element_aligned);
     }
     [[nodiscard]] Vector3<V> load(const VectorColumn& column) const {
         return {load(column.x), load(column.y), load(column.z)};
@@ -72,8 +74,5 @@ struct Group {
         }
     }
 };
-
-inline constexpr bool wanted(const VectorResult& r) { return r.x.data || r.y.data || r.z.data; }
-inline constexpr bool wanted(const ComplexResult& r) { return wanted(r.real) || wanted(r.imag); }
 
 }  // namespace icespar::lanes

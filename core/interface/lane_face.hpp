@@ -5,35 +5,35 @@
 
 namespace icespar::lanes {
 
-/// plane_wave in lanes, with the frame that it shares with the face.
+/// plane_wave in lanes.
 template <class V, bool uniaxial>
 struct Incident {
-    Vector3<V> k, ray, E;
+    Vector3<V> k, ray;
 
-    Incident(const MediumLanes<V>& m, const Vector3<V>& normal, const Vector3<V>& direction,
-             bool second, bool by_ray) {
-        const V eps_o = m.n_o * m.n_o, eps_e = m.n_e * m.n_e;
-        k = m.n_o * direction;
-        ray = direction;
+    Incident(const MediumLanes<V>& m, const Vector3<V>& direction, bool second, bool by_ray)
+        : k(m.n_o * direction), ray(direction) {
+        if (!uniaxial || !second) return;
+        Vector3<V> d = direction;
+        if (by_ray) {
+            const V along = dot(direction, m.axis);
+            d = m.inverse_o * direction + ((m.inverse_e - m.inverse_o) * along) * m.axis;
+        }
+        const Crystal<V> f(m.axis);
+        const V x = dot(d, f.a), y = dot(d, f.b), z = dot(d, f.c);
+        k = (m.n_o * m.n_e / sqrt(m.eps_o * (x * x + y * y) + m.eps_e * z * z)) * d;
+        if (!by_ray) ray = unit(m.eps_o * k + ((m.eps_e - m.eps_o) * dot(k, m.axis)) * m.axis);
+    }
+
+    /// Unit E; `frame` is that of the face.
+    [[nodiscard]] Vector3<V> field(const MediumLanes<V>& m, const Frame<V>& frame,
+                                   bool second) const {
         if constexpr (!uniaxial) {
-            const Vector3<V> s = Frame<V>(normal, k).y;
-            E = second ? cross(direction, s) : s;
+            return second ? cross(ray, frame.y) : frame.y;
         } else {
             const Crystal<V> f(m.axis);
-            if (!second) {
-                E = f.ordinary(dot(direction, f.a), dot(direction, f.b));
-                return;
-            }
-            Vector3<V> d = direction;
-            if (by_ray) {
-                const V along = dot(direction, m.axis);
-                d = (V(1) / eps_o) * direction + ((V(1) / eps_e - V(1) / eps_o) * along) * m.axis;
-            }
-            const V x = dot(d, f.a), y = dot(d, f.b), z = dot(d, f.c);
-            const V scale = m.n_o * m.n_e / sqrt(eps_o * (x * x + y * y) + eps_e * z * z);
-            k = scale * d;
-            E = unit(f.extraordinary(scale * x, scale * y, scale * z, eps_o, eps_e));
-            if (!by_ray) ray = unit(eps_o * k + ((eps_e - eps_o) * dot(k, m.axis)) * m.axis);
+            const V ka = dot(k, f.a), kb = dot(k, f.b);
+            if (!second) return f.ordinary(ka, kb);
+            return unit(f.extraordinary(ka, kb, dot(k, f.c), m.inverse_o, m.inverse_e));
         }
     }
 };
@@ -73,9 +73,10 @@ struct Solution {
         const T self = pairing(in, in), zero = as<T>(V(0));
         r = solved<V>(reflect, -pairing(probe[0], in), -pairing(probe[1], in));
         t = solved<V>(transmit, mode == 0 ? self : zero, mode == 1 ? self : zero);
+        const V per_flux = V(1) / in.flux;
         for (std::size_t i = 0; i < 2; ++i) {
-            r_power[i] = norm(r[i]) * -reflected[i].flux / in.flux;
-            t_power[i] = norm(t[i]) * transmitted[i].flux / in.flux;
+            r_power[i] = norm(r[i]) * -reflected[i].flux * per_flux;
+            t_power[i] = norm(t[i]) * transmitted[i].flux * per_flux;
         }
     }
 };
@@ -84,12 +85,12 @@ struct Solution {
 template <class V>
 Mask<V> merging(const Seen<V, true>& m, const V& sign) {
     const Crystal<V>& f = m.crystal;
-    const Cx<V> q = signed_root(m.q_o2, sign, static_cast<const Cx<V>*>(nullptr));
+    const Cx<V> q = signed_root(m.real_o, m.root_o, sign, static_cast<const Cx<V>*>(nullptr));
     const Cx<V> ka = q * f.a.z + m.kt * f.a.x, kb = q * f.b.z + m.kt * f.b.x;
     const V w = norm(Cx<V>{ka.re - kb.im, ka.im + kb.re}),
             v = norm(Cx<V>{ka.re + kb.im, ka.im - kb.re});
     const V close(static_cast<typename V::value_type>(0.09));
-    return !(m.q_o2 > V(0)) && !(m.w2 > V(0)) && min(w, v) < close * max(w, v);
+    return !m.real_o && !m.real_e && min(w, v) < close * max(w, v);
 }
 
 }  // namespace icespar::lanes

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "interface/lane_columns.hpp"
+#include "interface/lane_fresnel.hpp"
 #include "interface/lane_run.hpp"
 
 namespace icespar::lanes {
@@ -21,6 +22,16 @@ struct Kernel {
         }
     }
 
+    /// Fields need the face's frame; the shortcut does without.
+    bool fields = [this] {
+        bool any = fields_wanted(result.incident) || fields_wanted(result.reflected_total) ||
+                   fields_wanted(result.transmitted_total);
+        for (std::size_t i = 0; i < 2; ++i) {
+            any = any || fields_wanted(result.reflected[i]) || fields_wanted(result.transmitted[i]);
+        }
+        return any;
+    }();
+
     template <bool uniaxial>
     void write_incident(const Group<V>& group, const Incident<V, uniaxial>& in) const {
         const WaveColumns& to = result.incident;
@@ -29,8 +40,6 @@ struct Kernel {
         group.store(to.amplitude_imag, V(0));
         group.store(to.ray, in.ray);
         group.store(to.k, in.k);
-        group.store(to.E, in.E);
-        if (wanted(to.H)) group.store(to.H, cross(in.k, in.E));
         if (to.n_phase.data) group.store(to.n_phase, sqrt(norm_of(in.k)));
         if (to.n_ray.data) group.store(to.n_ray, dot(in.k, in.ray));
         group.store(to.propagating, to.propagating_stride, Mask<V>(true));
@@ -40,8 +49,7 @@ struct Kernel {
     template <bool uniaxial>
     static Vector3<V> energy_flow(const MediumLanes<V>& m, const Vector3<V>& k, std::size_t i) {
         if (!uniaxial || i == 0) return k;
-        const V eps_o = m.n_o * m.n_o;
-        return eps_o * k + ((m.n_e * m.n_e - eps_o) * dot(k, m.axis)) * m.axis;
+        return m.eps_o * k + ((m.eps_e - m.eps_o) * dot(k, m.axis)) * m.axis;
     }
 
     template <bool uniaxial, class T>
@@ -85,6 +93,20 @@ struct Kernel {
         return frame.from_face(Vector3<V>{select<V>(flows, f * x, V(1)), f * y, f * z});
     }
 
+    template <class T>
+    void write_total(const Group<V>& group, const Frame<V>& frame, const Pair<T, V>& waves,
+                     const std::array<T, 2>& amplitude, const TotalColumns& to) const {
+        if (!fields_wanted(to)) return;
+        Vector3<T> E, H;
+        for (std::size_t i = 0; i < 2; ++i) {
+            const FaceWave<T, V>& w = waves[i];
+            E += amplitude[i] * w.E;
+            H += amplitude[i] * Vector3<T>{w.hx, w.hy, frame.kt * w.E.y};
+        }
+        group.store(to.E, frame.from_face(E));
+        group.store(to.H, frame.from_face(H));
+    }
+
     template <class T, bool from_uniaxial, bool to_uniaxial>
     void solve(const Group<V>& group, const Frame<V>& frame, const MediumLanes<V>& from,
                const MediumLanes<V>& to, const Seen<V, from_uniaxial>& near,
@@ -96,6 +118,10 @@ struct Kernel {
             incident = waves_towards<T>(near, V(1));
         }
         const Solution<T, V> s(near, far, incident, second);
+        group.store(result.reflected_total.power, s.r_power[0] + s.r_power[1]);
+        group.store(result.transmitted_total.power, s.t_power[0] + s.t_power[1]);
+        write_total(group, frame, s.reflected, s.r, result.reflected_total);
+        write_total(group, frame, s.transmitted, s.t, result.transmitted_total);
         for (std::size_t i = 0; i < 2; ++i) {
             const WaveColumns &r = result.reflected[i], &t = result.transmitted[i];
             group.store(r.power, s.r_power[i]);
@@ -105,7 +131,7 @@ struct Kernel {
             group.store(t.amplitude_real, real_part(s.t[i]));
             group.store(t.amplitude_imag, imag_part(s.t[i]));
             const auto propagating = [&](const auto& m, bool uniaxial) {
-                return uniaxial && i == 1 ? m.w2 > V(0) : m.q_o2 > V(0);
+                return uniaxial && i == 1 ? m.real_e : m.real_o;
             };
             write<from_uniaxial>(group, frame, from, s.reflected[i], i,
                                  propagating(near, from_uniaxial), r);
@@ -114,28 +140,106 @@ struct Kernel {
         }
     }
 
+    /// A wave of a face that does not mix s and p.
+    template <bool uniaxial>
+    void write_upright(const Group<V>& group, const MediumLanes<V>& medium, const Vector3<V>& kt,
+                       const Vector3<V>& normal, const V& square, const V& sign, std::size_t i,
+                       const WaveColumns& to) const {
+        const Mask<V> propagating = square > V(0);
+        group.store(to.propagating, to.propagating_stride, propagating);
+        const bool ray_wanted = wanted(to.ray) || to.n_ray.data;
+        if (!ray_wanted && !wanted(to.k) && !to.n_phase.data) return;
+        const V q = sign * sqrt(abs(square)), q_real = select<V>(propagating, q, V(0));
+        const Vector3<V> k = kt + q_real * normal;
+        group.store(to.k.real, k);
+        if (wanted(to.k.imag)) group.store(to.k.imag, (q - q_real) * normal);
+        if (to.n_phase.data) group.store(to.n_phase, sqrt(norm_of(k)));
+        if (!ray_wanted) return;
+        Vector3<V> ray;
+        if constexpr (uniaxial) {
+            ray = unit(select<V>(propagating, energy_flow<uniaxial>(medium, k, i), kt));
+        } else {
+            ray = (medium.inverse_o * medium.n_o) * k;
+            if (!all_of(propagating)) ray = select<V>(propagating, ray, unit(kt));
+        }
+        group.store(to.ray, ray);
+        if (to.n_ray.data) group.store(to.n_ray, dot(k, ray));
+    }
+
+    /// Whether both media are isotropic or stand upright on the face; then solves it.
     template <bool from_uniaxial, bool to_uniaxial>
-    void one_group(const Group<V>& group) const {
-        const MediumLanes<V> from = group.load(faces.from), to = group.load(faces.to);
+    bool fresnel_group(const Group<V>& group, const MediumLanes<V>& from, const MediumLanes<V>& to,
+                       const Vector3<V>& normal, const Incident<V, from_uniaxial>& in) const {
+        if constexpr (from_uniaxial) {
+            if (!all_of(parallel(from.axis, normal))) return false;
+        }
+        if constexpr (to_uniaxial) {
+            if (!all_of(parallel(to.axis, normal))) return false;
+        }
+        const V q1 = dot(normal, in.k);
+        const Vector3<V> kt = in.k - q1 * normal;
+        // Along the axis the polarisation is the incident wave's own.
+        if (from_uniaxial && any_of(norm_of(kt) < V(1e-6) * from.n_o)) return false;
+        V q_o2 = q1 * q1;
+        if (from_uniaxial && second) {
+            q_o2 = from.n_e * from.n_e / (from.n_o * from.n_o) * q_o2 -
+                   (from.n_e - from.n_o) * (from.n_e + from.n_o);
+        }
+        const Upright<V, from_uniaxial> near(from, normal, q_o2);
+        const Upright<V, to_uniaxial> far(to, normal,
+                                          q_o2 + (to.n_o - from.n_o) * (to.n_o + from.n_o));
+        const Fresnel<V> f(near, far, q1, second);
+        const Mask<V> left = !(q1 > V(1e-140));
+        if (any_of(left)) leave(group, left);
+        write_incident(group, in);
+        group.store(result.reflected_total.power, f.r_power);
+        group.store(result.transmitted_total.power, f.t_power);
+        for (std::size_t i = 0; i < 2; ++i) {
+            const bool own = i == static_cast<std::size_t>(second);
+            const V zero(0);
+            const WaveColumns &r = result.reflected[i], &t = result.transmitted[i];
+            group.store(r.power, own ? f.r_power : zero);
+            group.store(t.power, own ? f.t_power : zero);
+            group.store(r.amplitude_real, own ? f.r_real : zero);
+            group.store(r.amplitude_imag, own ? f.r_imag : zero);
+            group.store(t.amplitude_real, own ? f.t_real : zero);
+            group.store(t.amplitude_imag, own ? f.t_imag : zero);
+            write_upright<from_uniaxial>(group, from, kt, normal, near.q2[i], V(-1), i, r);
+            write_upright<to_uniaxial>(group, to, kt, normal, far.q2[i], V(1), i, t);
+        }
+        return true;
+    }
+
+    static Mask<V> parallel(const Vector3<V>& a, const Vector3<V>& b) {
+        const V sign = copysign(V(1), dot(a, b));
+        return a.x == sign * b.x && a.y == sign * b.y && a.z == sign * b.z;
+    }
+
+    template <bool from_uniaxial, bool to_uniaxial>
+    void one_group(const Group<V>& group, const MediumLanes<V>& from,
+                   const MediumLanes<V>& to) const {
         const Vector3<V> normal = group.load(faces.normal);
-        const Incident<V, from_uniaxial> in(from, normal, group.load(faces.direction), second,
+        const Incident<V, from_uniaxial> in(from, group.load(faces.direction), second,
                                             faces.by == By::ray);
-        const Vector3<V> H = cross(in.k, in.E);
-        Mask<V> left = !(dot(cross(in.E, H), normal) > V(1e-140));
+        if (!fields && fresnel_group<from_uniaxial, to_uniaxial>(group, from, to, normal, in))
+            return;
         const Frame<V> frame(normal, in.k);
+        const Vector3<V> E = in.field(from, frame, second), H = cross(in.k, E);
+        Mask<V> left = !(dot(cross(E, H), normal) > V(1e-140));
         Seen<V, from_uniaxial> near(from, frame);
         Seen<V, to_uniaxial> far(to, frame);
         near.adopt(frame.kn, second);
-        far.q_o2 = near.q_o2 + (to.n_o - from.n_o) * (to.n_o + from.n_o);
-        far.complete();
+        far.complete(near.q_o2 + (to.n_o - from.n_o) * (to.n_o + from.n_o));
         const Mask<V> real = near.all_real() && far.all_real();
         if constexpr (to_uniaxial) left = left || merging(far, V(1));
         if (!all_of(left)) {
             write_incident(group, in);
+            group.store(result.incident.E, E);
+            group.store(result.incident.H, H);
             if (all_of(real)) {
-                solve<V>(group, frame, from, to, near, far, in.E);
+                solve<V>(group, frame, from, to, near, far, E);
             } else {
-                solve<Cx<V>>(group, frame, from, to, near, far, in.E);
+                solve<Cx<V>>(group, frame, from, to, near, far, E);
             }
         }
         if (any_of(left)) leave(group, left);
@@ -143,9 +247,22 @@ struct Kernel {
 
     template <bool from_uniaxial, bool to_uniaxial>
     void run(std::size_t begin, std::size_t end) const {
-        for (std::size_t i = begin; i < end; i += V::size()) {
+        const auto group_at = [&](std::size_t i) {
             const std::size_t rest = end - i;
-            one_group<from_uniaxial, to_uniaxial>({i, rest < V::size() ? rest : V::size()});
+            return Group<V>{i, rest < V::size() ? rest : V::size()};
+        };
+        if (faces.from.stride == 0 && faces.to.stride == 0) {
+            const MediumLanes<V> from = group_at(begin).load(faces.from),
+                                 to = group_at(begin).load(faces.to);
+            for (std::size_t i = begin; i < end; i += V::size()) {
+                one_group<from_uniaxial, to_uniaxial>(group_at(i), from, to);
+            }
+            return;
+        }
+        for (std::size_t i = begin; i < end; i += V::size()) {
+            const Group<V> group = group_at(i);
+            one_group<from_uniaxial, to_uniaxial>(group, group.load(faces.from),
+                                                  group.load(faces.to));
         }
     }
 };

@@ -5,6 +5,14 @@
 
 namespace icespar::lanes {
 
+constexpr bool wanted(const VectorResult& r) { return r.x.data || r.y.data || r.z.data; }
+constexpr bool wanted(const ComplexResult& r) { return wanted(r.real) || wanted(r.imag); }
+/// Of WaveColumns or TotalColumns: whether E or H is wanted.
+template <class Columns>
+constexpr bool fields_wanted(const Columns& c) {
+    return wanted(c.E) || wanted(c.H);
+}
+
 /// Solves a face that lanes leave to Interface.
 using SolveOne = void (*)(const FaceBatch&, const BatchResult&, std::size_t);
 

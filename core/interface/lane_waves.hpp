@@ -20,7 +20,13 @@ struct Frame {
         const Mask<V> inclined = kt2 > V(0.25) * norm_of(once) && kt2 > V(tiny<V> * tiny<V>);
         kt = select<V>(inclined, sqrt(kt2), V(0));
         const Vector3<V> along = (V(1) / select<V>(inclined, kt, V(1))) * t;
-        x = select<V>(inclined, unit(along - dot(normal, along) * normal), across(normal));
+        const Vector3<V> straight = along - dot(normal, along) * normal;
+        // A length within 1e-8 of 1 is put right by the first term of its series.
+        const V size2 = norm_of(straight);
+        V f = V(1.5) - V(0.5) * size2;
+        if (any_of(abs(size2 - V(1)) > V(1e-8))) f = V(1) / sqrt(size2);
+        x = f * straight;
+        if (!all_of(inclined)) x = select<V>(inclined, x, across(normal));
         y = cross(z, x);
     }
 
@@ -65,14 +71,14 @@ struct Crystal {
     }
     /// Of energy density 1 for real k.
     template <class T>
-    [[nodiscard]] Vector3<T> extraordinary(const T& ka, const T& kb, const T& kc, const V& eps_o,
-                                           const V& eps_e) const {
+    [[nodiscard]] Vector3<T> extraordinary(const T& ka, const T& kb, const T& kc,
+                                           const V& inverse_o, const V& inverse_e) const {
         const V m2 = norm(ka) + norm(kb);
         const Mask<V> none = m2 == V(0);
         const V f = V(1) / sqrt(select<V>(none, V(1), m2));
-        const T along = f * square(ka, kb), across = (V(-1) / eps_o) * kc;
+        const T along = f * square(ka, kb), across = -inverse_o * kc;
         const T u = select(none, as<T>(V(1)), f * ka), v = f * kb;
-        return combine<T>(across * u, across * v, (V(1) / eps_e) * along);
+        return combine<T>(across * u, across * v, inverse_e * along);
     }
 };
 
@@ -80,22 +86,34 @@ template <class V>
 struct MediumLanes {
     V n_o, n_e;
     Vector3<V> axis;
+    V eps_o, eps_e, inverse_o, inverse_e;  ///< permittivities and their reciprocals
+
+    MediumLanes(const V& ordinary, const V& extraordinary, const Vector3<V>& optic_axis)
+        : n_o(ordinary),
+          n_e(extraordinary),
+          axis(optic_axis),
+          eps_o(n_o * n_o),
+          eps_e(n_e * n_e),
+          inverse_o(V(1) / eps_o),
+          inverse_e(V(1) / eps_e) {}
 };
 
 /// A medium seen from the face.
 template <class V, bool uniaxial>
 struct Seen {
-    V kt, eps_o, eps_e, delta;
+    const MediumLanes<V>& medium;
+    V kt, delta;
     Crystal<V> crystal;
     V q_o2, w2 = V(1), eps_g, cross_term;
+    V root_o, root_e, inverse_g;  ///< of the sizes of q_o2 and w2
+    Mask<V> real_o, real_e;       ///< positive q_o2 and w2
 
     Seen(const MediumLanes<V>& m, const Frame<V>& face)
-        : kt(face.kt),
-          eps_o(m.n_o * m.n_o),
-          eps_e(m.n_e * m.n_e),
-          delta(eps_e - eps_o),
+        : medium(m),
+          kt(face.kt),
+          delta(m.eps_e - m.eps_o),
           crystal(uniaxial ? face.to_face(m.axis) : Vector3<V>{V(0), V(0), V(1)}),
-          eps_g(eps_o + delta * crystal.c.z * crystal.c.z),
+          eps_g(m.eps_o + delta * crystal.c.z * crystal.c.z),
           cross_term(delta * crystal.c.z * kt * crystal.c.x) {}
 
     [[nodiscard]] V flow_squared(const V& q_o) const {
@@ -107,28 +125,47 @@ struct Seen {
     /// The medium of the incident wave, from the normal component of that.
     void adopt(const V& kn, bool extraordinary) {
         q_o2 = kn * kn;
-        if constexpr (!uniaxial) return;
-        if (!extraordinary) {
+        if (!uniaxial) {
+        } else if (!extraordinary) {
             w2 = flow_squared(kn);
         } else {
             const V w = eps_g * kn + cross_term;
             w2 = w * w;
             const V ka = kt * crystal.a.x + kn * crystal.a.z,
                     kb = kt * crystal.b.x + kn * crystal.b.z;
-            q_o2 -= (ka * ka + kb * kb) * delta / eps_e;
+            q_o2 -= (ka * ka + kb * kb) * delta * medium.inverse_e;
         }
+        take_roots();
     }
-    /// The other medium, whose q_o2 is known.
-    void complete() {
-        if constexpr (!uniaxial) return;
+    /// The other medium, from the squared normal component of its ordinary wave.
+    void complete(const V& ordinary_q2) {
+        q_o2 = ordinary_q2;
+        if constexpr (uniaxial) {
+            w2 = flow_squared(sqrt(abs(q_o2)));
+            const Mask<V> evanescent = !(q_o2 > V(0));
+            if (any_of(evanescent)) w2 = select<V>(evanescent, flow_squared_without(), w2);
+        }
+        take_roots();
+    }
+    /// Where the ordinary wave is evanescent.
+    [[nodiscard]] V flow_squared_without() const {
         const Vector3<V>& c = crystal.c;
         const V tilt = c.y * c.y + c.z * c.z;
-        const V without = eps_o * (q_o2 * (eps_o + delta * (c.x * c.x + c.z * c.z)) +
-                                   delta * (eps_o * tilt + delta * c.z * c.z));
-        const Mask<V> ordinary = q_o2 > V(0);
-        w2 = select<V>(ordinary, flow_squared(sqrt(select<V>(ordinary, q_o2, V(0)))), without);
+        return medium.eps_o * (q_o2 * (medium.eps_o + delta * (c.x * c.x + c.z * c.z)) +
+                               delta * (medium.eps_o * tilt + delta * c.z * c.z));
     }
-    [[nodiscard]] Mask<V> all_real() const { return q_o2 > V(0) && w2 > V(0); }
+    void take_roots() {
+        real_o = q_o2 > V(0);
+        root_o = sqrt(abs(q_o2));
+        if constexpr (uniaxial) {
+            real_e = w2 > V(0);
+            root_e = sqrt(abs(w2));
+            inverse_g = V(1) / eps_g;
+        } else {
+            real_e = real_o;
+        }
+    }
+    [[nodiscard]] Mask<V> all_real() const { return real_o && real_e; }
 };
 
 /// A wave as the matching sees it.
@@ -160,10 +197,10 @@ struct Roots {
     T q_o, flow, divisor, q_e;
 
     Roots(const Seen<V, true>& m, const V& sign)
-        : q_o(signed_root(m.q_o2, sign, static_cast<const T*>(nullptr))),
-          flow(signed_root(m.w2, sign, static_cast<const T*>(nullptr))),
+        : q_o(signed_root(m.real_o, m.root_o, sign, static_cast<const T*>(nullptr))),
+          flow(signed_root(m.real_e, m.root_e, sign, static_cast<const T*>(nullptr))),
           divisor(m.eps_g * q_o + flow + m.cross_term),
-          q_e((V(1) / m.eps_g) * (flow - m.cross_term)) {}
+          q_e(m.inverse_g * (flow - m.cross_term)) {}
 
     [[nodiscard]] T step(const Seen<V, true>& m, const T& across_squared) const {
         const Mask<V> apart = size(divisor) > V(tiny<V>);
@@ -177,14 +214,16 @@ Pair<T, V> crystal_waves(const Seen<V, true>& m, const Roots<T, V>& roots, const
                          const T& ka, const T& kb, const T& step) {
     Pair<T, V> out;
     const Crystal<V>& f = m.crystal;
-    out[0].flux = sign * sqrt(select<V>(m.q_o2 > V(0), m.q_o2, V(0)));
+    out[0].flux = sign * select<V>(m.real_o, m.root_o, V(0));
     out[0].set(m.kt, roots.q_o, f.ordinary(ka, kb));
     T q_e = roots.q_e;
     if constexpr (std::is_same_v<T, V>) q_e = roots.q_o + step;
-    const Vector3<T> E = f.extraordinary(ka + step * f.a.z, kb + step * f.b.z,
-                                         q_e * f.c.z + m.kt * f.c.x, m.eps_o, m.eps_e);
+    const Vector3<T> E =
+        f.extraordinary(ka + step * f.a.z, kb + step * f.b.z, q_e * f.c.z + m.kt * f.c.x,
+                        m.medium.inverse_o, m.medium.inverse_e);
     const V inverse = V(1) / norm_of(E);
-    out[1].flux = sign * sqrt(select<V>(m.w2 > V(0), m.w2, V(0))) * inverse / (m.eps_o * m.eps_e);
+    out[1].flux = sign * select<V>(m.real_e, m.root_e, V(0)) * inverse *
+                  (m.medium.inverse_o * m.medium.inverse_e);
     out[1].set(m.kt, q_e, sqrt(inverse) * E);
     return out;
 }
@@ -199,8 +238,8 @@ Pair<T, V> waves_towards(const Seen<V, uniaxial>& m, const V& sign) {
         return crystal_waves<T, V>(m, roots, sign, ka, kb, roots.step(m, ka * ka + kb * kb));
     } else {
         Pair<T, V> out;
-        const T q = signed_root(m.q_o2, sign, static_cast<const T*>(nullptr));
-        out[0].flux = out[1].flux = sign * sqrt(select<V>(m.q_o2 > V(0), m.q_o2, V(0)));
+        const T q = signed_root(m.real_o, m.root_o, sign, static_cast<const T*>(nullptr));
+        out[0].flux = out[1].flux = sign * select<V>(m.real_o, m.root_o, V(0));
         const T zero = as<T>(V(0));
         out[0].set(m.kt, q, {zero, as<T>(V(1)), zero});
         const V f = V(1) / sqrt(norm(q) + m.kt * m.kt);
@@ -238,9 +277,10 @@ Pair<T, V> incident_waves(const Seen<V, true>& m, const Vector3<V>& E, const V& 
     }
     // k_e . k_e = eo + |k_e across axis|^2 (1 - eo / ee) gives the step from the e side.
     const T sum = roots.q_o + kn;
-    const Mask<V> same = (m.q_o2 > V(0)) == (m.w2 > V(0)) && norm(sum) > kn * kn;
+    const Mask<V> same = m.real_o == m.real_e && norm(sum) > kn * kn;
     const T safe = select(same, sum, as<T>(V(1)));
-    const T step = select(same, (m.delta * a2 / m.eps_e) * reciprocal(safe), as<T>(kn) - roots.q_o);
+    const T step =
+        select(same, (m.delta * a2 * m.medium.inverse_e) * reciprocal(safe), as<T>(kn) - roots.q_o);
     return crystal_waves<T, V>(m, roots, V(1), ta - step * f.a.z, tb - step * f.b.z, step);
 }
 

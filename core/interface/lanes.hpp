@@ -149,16 +149,16 @@ Vector3<V> imag_part(const Vector3<V>&) {
     return {V(0), V(0), V(0)};
 }
 
-/// sign * root of a square; for a negative one sign * i * root of its size, if T is complex.
+/// sign * root where a square is positive, sign * i * root elsewhere (if T is complex), for the
+/// root of its size.
 template <class V>
-V signed_root(const V& square, const V& sign, const V*) {
-    return sign * sqrt(square);
+V signed_root(const Mask<V>&, const V& root, const V& sign, const V*) {
+    return sign * root;
 }
 template <class V>
-Cx<V> signed_root(const V& square, const V& sign, const Cx<V>*) {
-    const V root = sign * sqrt(abs(square));
-    const Mask<V> real = square > V(0);
-    return {select<V>(real, root, V(0)), select<V>(real, V(0), root)};
+Cx<V> signed_root(const Mask<V>& positive, const V& root, const V& sign, const Cx<V>*) {
+    const V signed_size = sign * root;
+    return {select<V>(positive, signed_size, V(0)), select<V>(positive, V(0), signed_size)};
 }
 
 }  // namespace icespar::lanes

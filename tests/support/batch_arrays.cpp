@@ -12,7 +12,8 @@ VectorColumn columns_of(const std::vector<Vec3>& v) {
 }  // namespace
 
 BatchArrays::BatchArrays(const std::vector<InterfaceCase>& cases)
-    : numbers_(5 * columns * cases.size(), std::numeric_limits<double>::quiet_NaN()),
+    : numbers_((5 * columns + 2 * total_columns) * cases.size(),
+               std::numeric_limits<double>::quiet_NaN()),
       propagating_(std::make_unique<bool[]>(5 * cases.size())) {
     for (const InterfaceCase& c : cases) {
         from_.push_back(c.from);
@@ -42,29 +43,46 @@ BatchArrays::BatchArrays(const std::vector<InterfaceCase>& cases)
         w->propagating = flags;
         flags += n;
     }
+    for (TotalColumns* t : {&wanted.reflected_total, &wanted.transmitted_total}) {
+        t->power = column();
+        t->E = {vector(), vector()};
+        t->H = {vector(), vector()};
+    }
 }
 
 void BatchArrays::solve(Lanes lanes) { solve_batch(faces, wanted, 0, faces.count, lanes); }
 
+void BatchArrays::solve_without_fields(Lanes lanes) {
+    BatchResult fewer = wanted;
+    for (WaveColumns* w : {&fewer.incident, &fewer.reflected[0], &fewer.reflected[1],
+                           &fewer.transmitted[0], &fewer.transmitted[1]}) {
+        w->E = w->H = {};
+    }
+    for (TotalColumns* t : {&fewer.reflected_total, &fewer.transmitted_total}) t->E = t->H = {};
+    solve_batch(faces, fewer, 0, faces.count, lanes);
+}
+
 BatchArrays::Found BatchArrays::found(std::size_t wave, std::size_t i) const {
     const std::size_t n = faces.count;
     const double* at = numbers_.data() + wave * columns * n + i;
-    const auto number = [&](std::size_t column) { return at[column * n]; };
-    const auto vector = [&](std::size_t first) {
-        return Vec3{number(first), number(first + 1), number(first + 2)};
-    };
-    const auto field = [&](std::size_t first) {
-        return complexified(vector(first)) + Complex(0, 1) * complexified(vector(first + 3));
-    };
-    return {field(8),
-            field(14),
-            field(20),
-            vector(5),
-            {number(1), number(2)},
-            number(0),
-            number(3),
-            number(4),
-            propagating_[wave * n + i]};
+    return {field(at, 8),  field(at, 14),      field(at, 20),
+            vector(at, 5), {at[n], at[2 * n]}, *at,
+            at[3 * n],     at[4 * n],          propagating_[wave * n + i]};
+}
+
+BatchArrays::Total BatchArrays::total(bool transmitted, std::size_t i) const {
+    const double* at =
+        numbers_.data() + (5 * columns + (transmitted ? total_columns : 0)) * faces.count + i;
+    return {*at, field(at, 1), field(at, 7)};
+}
+
+Vec3 BatchArrays::vector(const double* at, std::size_t first) const {
+    const std::size_t n = faces.count;
+    return {at[first * n], at[(first + 1) * n], at[(first + 2) * n]};
+}
+
+CVec3 BatchArrays::field(const double* at, std::size_t first) const {
+    return complexified(vector(at, first)) + Complex(0, 1) * complexified(vector(at, first + 3));
 }
 
 }  // namespace icespar::testing

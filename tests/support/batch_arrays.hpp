@@ -15,6 +15,8 @@ public:
     explicit BatchArrays(const std::vector<InterfaceCase>& cases);
 
     void solve(Lanes lanes);
+    /// Overwrites all but E and H.
+    void solve_without_fields(Lanes lanes);
 
     struct Found {
         CVec3 k, E, H;
@@ -31,13 +33,22 @@ public:
         return found(3 + mode, i);
     }
 
+    struct Total {
+        double power;
+        CVec3 E, H;
+    };
+    [[nodiscard]] Total total(bool transmitted, std::size_t i) const;
+
     FaceBatch faces;
     BatchResult wanted;
 
 private:
     [[nodiscard]] Found found(std::size_t wave, std::size_t i) const;
+    /// From consecutive columns, `at` being this face's entry of a first one.
+    [[nodiscard]] Vec3 vector(const double* at, std::size_t first) const;
+    [[nodiscard]] CVec3 field(const double* at, std::size_t first) const;
 
-    static constexpr std::size_t columns = 26;
+    static constexpr std::size_t columns = 26, total_columns = 13;
     std::vector<Medium> from_, to_;
     std::vector<Vec3> normal_, direction_;
     std::vector<double> numbers_;
