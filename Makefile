@@ -9,6 +9,8 @@ BIN := $(VENV)/bin
 PYTHON ?=
 DEBIAN := cmake ninja-build g++ libembree-dev libopenexr-dev libcgal-dev libgmp-dev libmpfr-dev \
   libboost-dev libtbb-dev libpng-dev libcli11-dev libfast-float-dev libpugixml-dev catch2 python3-dev python3-venv
+# What only `make test` needs: scenes are rendered with POV-Ray too, and compared.
+DEBIAN_TEST := povray povray-includes
 
 help:
 	@echo 'make demo    install what is missing, build, render scenes/calcite_on_grid.spar into out/'
@@ -64,10 +66,11 @@ demo: build
 	  -o out/calcite_on_grid.exr -o out/calcite_on_grid.png
 	@echo "The picture is in $(CURDIR)/out/calcite_on_grid.png (to look at) and calcite_on_grid.exr (to measure)."
 
+test: DEBIAN += $(DEBIAN_TEST)
 test: build $(VENV)/.installed-test
 	cmake --build --preset release
 	ctest --preset release
-	$(BIN)/python -m pytest tests/python
+	$(BIN)/python -m pytest tests/python tests/pov
 
 bench: build $(VENV)/.installed-test
 	cmake --build --preset release --target icespar_bench

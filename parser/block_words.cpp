@@ -56,7 +56,12 @@ void Parser::word_item(Block& block, const Token& token) {
     // A word that is left out stays in the tree as one, so that what follows is not taken for
     // another's.
     add(block, {Item::Kind::word, where, {}, {}, {}});
-    if (opens) skip_braces(token);
+    if (opens) return skip_braces(token);
+    // Words such as `utf8` after `charset` are of no use but to it.
+    while (info.kind == WordKind::skipped && raw().kind == tok::word &&
+           names_[raw().index].info.kind == WordKind::other) {
+        next();
+    }
 }
 
 /// The twelve numbers of a matrix are more than a vector holds: they become four vectors of 3.

@@ -82,10 +82,14 @@ Parts Builder::group(const Block& block) {
     Parts parts;
     Look look;
     Transform place;
-    bool empty = true;
+    bool empty = true, inverse = false;
     for (Cursor cursor(block); cursor.more();) {
         if (modifier(cursor, look, place)) continue;
         const Item& item = cursor.take();
+        if (item.word == "inverse") {
+            inverse = true;
+            continue;
+        }
         const BlockPtr* inner = item.kind == Item::Kind::block   ? &item.block
                                 : item.kind == Item::Kind::value ? item.value.block()
                                                                  : nullptr;
@@ -112,6 +116,7 @@ Parts Builder::group(const Block& block) {
         throw Fault{block.place, "this '" + std::string(block.word) + "' is empty", {}};
     }
     for (Part& part : parts) {
+        part.inverse = part.inverse != inverse;
         part.place = part.place.then(place);
         apply(place, part.look);
         if (part.look.interior) part.look.interior->axis = place.vector(part.look.interior->axis);
@@ -126,7 +131,8 @@ Parts Builder::group(const Block& block) {
             part.look.interior->axis = place.vector(look.interior->axis);
         }
         // Within an object the one thing's own texture gives way to the object's.
-        if (block.word == "object") {
+        if (block.word != "object") part.of_union = true;
+        if (!part.of_union) {
             if (look.pigment) part.look.pigment = look.pigment;
             if (look.finish) part.look.finish = look.finish;
         }
@@ -182,6 +188,10 @@ Part Builder::primitive(const Block& block) {
     while (cursor.more()) {
         if (modifier(cursor, part.look, place)) continue;
         const Item& item = cursor.take();
+        if (item.word == "inverse") {
+            part.inverse = !part.inverse;  // both sides of a surface look the same
+            continue;
+        }
         throw Fault{item.place,
                     "unexpected " +
                         (item.kind == Item::Kind::value ? kind_of(item.value)

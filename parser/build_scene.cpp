@@ -37,6 +37,13 @@ Scene Builder::build(const Block& block) {
         if (item.word == "global_settings") guarded([&] { global_settings(*item.block); });
         if (item.word == "pigment") guarded([&] { defaults_.pigment = pigment(*item.block); });
         if (item.word == "finish") guarded([&] { defaults_.finish = finish(*item.block, {}); });
+        if (item.word == "texture") {
+            guarded([&] {
+                const Look look = texture(*item.block);
+                if (look.pigment) defaults_.pigment = look.pigment;
+                if (look.finish) defaults_.finish = look.finish;
+            });
+        }
     }
     scene_.camera = build_camera(Block{"camera", block.place, {}});
     for (const Item& item : block.items) {
@@ -60,7 +67,8 @@ Scene Builder::build(const Block& block) {
             }
             const std::string_view word = inner->word;
             if (inner->broken) return;
-            if (word == "global_settings" || word == "pigment" || word == "finish") {
+            if (word == "global_settings" || word == "pigment" || word == "finish" ||
+                word == "texture") {
                 return;
             } else if (word == "camera") {
                 scene_.camera = build_camera(*inner);
@@ -191,12 +199,16 @@ void Builder::finish_thing(const Part& part) {
         diagnostics_.warning(part.look.interior->where,
                              "the interior of an opaque thing is never seen");
     }
-    const std::optional<Finish>& surface = part.look.finish ? part.look.finish : defaults_.finish;
+    const std::optional<FinishLook>& surface =
+        part.look.finish ? part.look.finish : defaults_.finish;
     if (surface) thing.finish = *surface;
     scene_.things.push_back(std::move(thing));
 }
 
 void Builder::finish_stone(const Part& part, Solid& solid) {
+    if (part.inverse) {
+        throw Fault{part.where, "a stone cannot be turned inside out", "leave out 'inverse'"};
+    }
     if (part.look.pigment && !part.look.pigment->transparent()) {
         diagnostics_.warning(part.look.pigment->where,
                              "a gem has no pigment: light goes through it", {}, "gem pigment");

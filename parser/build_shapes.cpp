@@ -72,7 +72,11 @@ void Builder::shape(const Block& block, Solid& solid) {
             } else {
                 Look look;
                 Transform none;
-                if (!modifier(cursor, look, none)) cursor.take();
+                if (modifier(cursor, look, none)) continue;
+                if (cursor.take().word == "inverse") {
+                    solid.planes[0].normal = -solid.planes[0].normal;
+                    solid.planes[0].distance = -solid.planes[0].distance;
+                }
             }
         }
         return;

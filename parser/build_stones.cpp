@@ -1,6 +1,7 @@
 // Stones: gems and intersections, from their shape to the polyhedron.
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "math/error.hpp"
 #include "parser/builder.hpp"
@@ -105,13 +106,27 @@ const Stone* Builder::stone_of(Solid& solid) {
     try {
         solid.stone = solid.points.empty() ? Stone::from_planes(solid.planes)
                                            : Stone::from_points(solid.points);
+        std::vector<std::string_view> nameless;
         for (const std::string& name : solid.stone->unreached) {
             const auto place = solid.facet_places.find(name);
-            const bool named = place != solid.facet_places.end();
+            if (place == solid.facet_places.end()) {
+                nameless.push_back(name);
+            } else {
+                diagnostics_.warning(place->second, "facet '" + name + "' does not reach the stone",
+                                     "is its distance too large?");
+            }
+        }
+        if (!nameless.empty()) {
+            const std::size_t shown = std::min<std::size_t>(nameless.size(), 6);
+            std::string text =
+                listed(std::span(nameless).first(shown), shown < nameless.size() ? ", " : " and ");
+            if (shown < nameless.size())
+                text += " and " + std::to_string(nameless.size() - shown) + " more";
             diagnostics_.warning(
-                named ? place->second : solid.where,
-                (named ? "facet '" + name + "'" : name) + " does not reach the stone",
-                "is its distance too large?");
+                solid.where,
+                text + (nameless.size() == 1 ? " does" : " do") + " not reach the stone",
+                nameless.size() == 1 ? "is its distance too large?"
+                                     : "are their distances too large?");
         }
         if (solid.width) {
             // girdle_size looks along z; the table of our stones is up, along y.

@@ -68,8 +68,8 @@ PigmentLook Builder::pigment(const Block& block) {
     return look;
 }
 
-Finish Builder::finish(const Block& block, const std::optional<Finish>& before) {
-    Finish finish = before ? *before : defaults_.finish.value_or(Finish{});
+FinishLook Builder::finish(const Block& block, const std::optional<FinishLook>& before) {
+    FinishLook finish = before ? *before : defaults_.finish.value_or(FinishLook{});
     for (Cursor cursor(block); cursor.more();) {
         const Item& item = cursor.take();
         if (item.word == "diffuse") {
@@ -89,7 +89,10 @@ Finish Builder::finish(const Block& block, const std::optional<Finish>& before) 
                     "coloured '" + std::string(item.word) +
                         "' is rendered with its mean: the pigment gives the colour");
             }
-            finish.emission = (light[0] + light[1] + light[2]) / 3;
+            (ambient ? finish.ambient : finish.own) = light;
+            finish.emission = 0;
+            for (std::size_t i = 0; i < 3; ++i)
+                finish.emission += (finish.own[i] + finish.ambient[i]) / 3;
         } else if (item.kind == Item::Kind::value) {
             if (item.value.empty()) continue;
             const BlockPtr* declared = item.value.block();

@@ -33,9 +33,14 @@ struct InteriorLook {
     Place where;
 };
 
+/// `emission` of the finish is what these two add up to.
+struct FinishLook : Finish {
+    std::array<double, 3> own{}, ambient{};
+};
+
 struct Look {
     std::optional<PigmentLook> pigment;
-    std::optional<Finish> finish;
+    std::optional<FinishLook> finish;
     std::optional<InteriorLook> interior;
     bool at_fault = false;  ///< something of it could not be read: what wears it is left out
 };
@@ -55,7 +60,9 @@ struct Solid {
 struct Part {
     enum class Kind { plane, box, sphere, stone, lamp };
     Kind kind = Kind::sphere;
-    bool gem = false;  ///< said to be one, not merely transparent
+    bool gem = false;       ///< said to be one, not merely transparent
+    bool inverse = false;   ///< inside out, which no stone can be
+    bool of_union = false;  ///< its own texture stays, whatever is said of the whole
     Transform place{};
     Look look{};
     std::shared_ptr<Solid> solid{};
@@ -111,7 +118,7 @@ private:
     Look texture(const Block& block);
     PigmentLook pigment(const Block& block);
     /// A finish amends the one already there, or the default.
-    Finish finish(const Block& block, const std::optional<Finish>& before);
+    FinishLook finish(const Block& block, const std::optional<FinishLook>& before);
     InteriorLook interior(const Block& block);
     void crystal(const Block& block, InteriorLook& look);
     void dispersion(const Block& block, std::vector<IndexFunction>& formulas,

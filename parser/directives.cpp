@@ -91,6 +91,12 @@ void Parser::declare(bool local) {
         const auto slot_for_name = [&] {
             return local ? local_slot(token.index) : declare_slot(token.index);
         };
+        if (raw().kind == tok::word && names_[raw().index].text == "function" &&
+            raw(1).kind == '(') {
+            *slot_for_name() = Slot{std::nullopt, function_macro()};
+            if (raw().kind == ';') ++frame().at;
+            return;
+        }
         Value value;
         try {
             value = declared_value();
@@ -221,7 +227,7 @@ void Parser::set_default() {
     const Token token = raw();
     if (token.kind != '{') throw Fault{place(token), "expected '{', found " + shown(token), {}};
     Token word = token;
-    word.index = names_.number("texture");
+    word.index = names_.number("#default");
     const BlockPtr defaults = block(word);
     for (const Item& item : defaults->items) defaults_.push_back(item);
 }

@@ -1,5 +1,6 @@
 // Macros: a named piece of text with parameters.
 #include <algorithm>
+#include <unordered_map>
 
 #include "parser/limits.hpp"
 #include "parser/parser.hpp"
@@ -51,6 +52,63 @@ void Parser::define_macro(const Token& directive) {
     *declare_slot(name) = Slot{std::nullopt, macro};
 }
 
+/// `function (x, y) { EXPRESSION }`: a macro whose text is the expression in parentheses. Its
+/// parameters may be called x, y, z, u, v or t, which mean vectors elsewhere: they get names of
+/// their own.
+std::shared_ptr<const Parser::Macro> Parser::function_macro() {
+    const auto take = [this](char kind, std::string_view what) {
+        const Token token = raw();
+        if (token.kind != kind) {
+            throw Fault{
+                place(token), "expected " + std::string(what) + ", found " + shown(token), {}};
+        }
+        ++frame().at;
+        count_token();
+        return token;
+    };
+    const auto macro = std::make_shared<Macro>();
+    std::unordered_map<std::uint32_t, std::uint32_t> own_names;
+    take(tok::word, "'function'");
+    take('(', "'('");
+    do {
+        const Token token = take(tok::word, "a parameter's name");
+        const Name& name = names_[token.index];
+        if (!name.info.may_be_declared && name.text.size() > 1) {
+            throw Fault{place(token), shown(token) + " is a word of the language",
+                        "choose another name"};
+        }
+        macro->parameters.push_back(names_.number(name.text + " (a parameter)"));
+        own_names[token.index] = macro->parameters.back();
+    } while (raw().kind == ',' && ++frame().at);
+    take(')', "',' or ')'");
+    const Token open = take('{', "'{' and an expression");
+    auto body = std::make_unique<TokenFile>();
+    body->file = frame().file->file;
+    body->tokens.push_back(open);
+    body->tokens.back().kind = '(';
+    while (raw().kind != '}') {
+        Token token = raw();
+        if (token.kind == tok::end || token.kind == '{' || token.kind == tok::text ||
+            token.kind == tok::bad || token.kind == tok::directive) {
+            throw Fault{place(token), "expected an expression and '}', found " + shown(token), {}};
+        }
+        const auto own = own_names.find(token.index);
+        if (token.kind == tok::word && body->tokens.back().kind != '.' && own != own_names.end())
+            token.index = own->second;
+        body->tokens.push_back(token);
+        ++frame().at;
+        count_token();
+    }
+    body->tokens.push_back(take('}', "'}'"));
+    body->tokens.back().kind = ')';
+    macro->begin = 0;
+    macro->end = body->tokens.size();
+    body->tokens.push_back(Token{});
+    files_.push_back(std::move(body));
+    macro->file = files_.back().get();
+    return macro;
+}
+
 void Parser::call_macro(std::shared_ptr<const Macro> macro) {
     const Token name_token = raw();
     const Place where = place(name_token);
@@ -63,7 +121,8 @@ void Parser::call_macro(std::shared_ptr<const Macro> macro) {
     const auto signature = [&] {
         std::string text = name + "(";
         for (std::size_t i = 0; i < macro->parameters.size(); ++i) {
-            text += (i > 0 ? ", " : "") + names_[macro->parameters[i]].text;
+            const std::string& parameter = names_[macro->parameters[i]].text;
+            text += (i > 0 ? ", " : "") + parameter.substr(0, parameter.find(' '));
         }
         return text + ")";
     };

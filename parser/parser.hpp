@@ -108,6 +108,7 @@ private:
     std::string_view skip_to(std::initializer_list<std::string_view> directives,
                              const Token& opened);
     void define_macro(const Token& directive);
+    [[nodiscard]] std::shared_ptr<const Macro> function_macro();
     void call_macro(std::shared_ptr<const Macro> macro);
 
     // --- expressions (expression.cpp, primary.cpp, functions.cpp) ---

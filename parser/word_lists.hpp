@@ -29,9 +29,9 @@ inline constexpr BlockWords blocks[] = {
     {"sky_sphere", "pigment", &transforms},
     {"color_map", "", nullptr},
     {"colour_map", "", nullptr},
-    {"plane", "", &modifiers},
-    {"box", "", &modifiers},
-    {"sphere", "", &modifiers},
+    {"plane", "inverse", &modifiers},
+    {"box", "inverse", &modifiers},
+    {"sphere", "inverse", &modifiers},
     {"gem", "cut hull box intersection design object scale_to width", &modifiers},
     {"object", "cut hull box intersection sphere plane gem object union merge inverse", &modifiers},
     {"union", "plane box sphere gem object union merge intersection light_source split_union",
@@ -49,6 +49,7 @@ inline constexpr BlockWords blocks[] = {
     {"pigment", "checker grid line gradient color_map colour_map", &transforms},
     {"finish", "diffuse emission ambient", nullptr},
     {"texture", "pigment finish", &transforms},
+    {"#default", "pigment finish texture", nullptr},
     {"material", "texture interior", &transforms},
     {"transform", "inverse", &transforms},
 };
@@ -96,8 +97,8 @@ struct Advice {
 inline constexpr Advice skipped[] = {
     {"photons caustics collect target pass_through",
      "light in stones is always traced in full here"},
-    {"radiosity subsurface translucency ambient_occlusion",
-     "diffuse interreflection is not rendered"},
+    {"radiosity ambient_occlusion", "light between matt things is always traced"},
+    {"subsurface translucency", "matt things let no light through"},
     {"phong phong_size specular roughness metallic irid irid_wavelength crand brilliance "
      "conserve_energy "
      "reflection reflection_exponent fresnel use_alpha diffuse_exponent",
