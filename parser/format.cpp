@@ -118,7 +118,7 @@ void Formatter::line(std::string_view line, std::size_t end) {
         const Token& token = file_.tokens[next_];
         const auto opener = closed_by(token);
         if (!opener) break;
-        indent = *opener;
+        indent = std::max(0, *opener);
         opened_by(token, indent, true);
         ++next_;
     }
@@ -166,7 +166,11 @@ void Formatter::opened_by(const Token& token, int indent, bool closed) {
     static constexpr std::array<std::string_view, 6> opening{"if",    "ifdef", "ifndef",
                                                              "while", "for",   "switch"};
     const std::string_view name = directive(token);
-    if (name == "macro") {
+    // A whole file within '#ifndef' is guarded against being included twice, not indented.
+    const std::vector<Token>& tokens = file_.tokens;
+    if (name == "ifndef" && next_ == 0 && directive(tokens[tokens.size() - 2]) == "end") {
+        open_.push_back({'#', -step});
+    } else if (name == "macro") {
         open_.push_back({'m', indent});
     } else if ((closed && !name.empty() && name != "end") ||
                std::find(opening.begin(), opening.end(), name) != opening.end()) {

@@ -72,6 +72,12 @@ TEST_CASE("branches that open the same brace indent what follows once", "[format
         "#if (1)\n  union {\n#else\n  merge {\n#end\n    sphere { 0, 1 }\n  }\nplane { y, 0 }\n");
 }
 
+TEST_CASE("a guard against a second include does not indent the file", "[format]") {
+    const std::string text =
+        "// A file.\n#ifndef (Here)\n#declare Here = 1;\n#if (1)\n  A\n#end\n#end\n";
+    CHECK(formatted(text) == text);
+}
+
 TEST_CASE("what cannot be told from text is refused with its line", "[format]") {
     CHECK_THROWS_WITH(formatted("sphere {\n/* never closed"),
                       Catch::Matchers::StartsWith("2: error: this comment is never closed"));
