@@ -49,16 +49,19 @@ void put(const WaveColumns& to, std::size_t i, const Wave& wave, const Complex& 
     }
 }
 
-void solve_one(const FaceBatch& faces, const BatchResult& wanted, std::size_t i) {
-    const Medium &from = at(faces.from, i), &to = at(faces.to, i);
-    const Vec3 normal = at(faces.normal, i);
+/// The incident wave, which must carry energy through the face.
+Wave arriving(const FaceBatch& faces, std::size_t i, const Medium& from, const Vec3& normal) {
     const Wave wave = plane_wave(from, faces.mode, at(faces.direction, i), faces.by, normal);
     constexpr double least_flux = 1e-140;
-    if (!(wave.flux(normal) > least_flux)) {
-        throw Error("direction[" + std::to_string(i) +
-                    "]: the energy of this wave leaves the face or runs along it; it must flow "
-                    "along the normal");
-    }
+    if (wave.flux(normal) > least_flux) return wave;
+    throw Error(
+        "the energy of this wave leaves the face or runs along it; it must flow along the normal");
+}
+
+void solve_face(const FaceBatch& faces, const BatchResult& wanted, std::size_t i) {
+    const Medium &from = at(faces.from, i), &to = at(faces.to, i);
+    const Vec3 normal = at(faces.normal, i);
+    const Wave wave = arriving(faces, i, from, normal);
     const Interface face(from, to, normal, wave);
     const Coefficients c = face.solve(wave);
     put(wanted.incident, i, wave, 1, 1);
@@ -76,6 +79,14 @@ void solve_one(const FaceBatch& faces, const BatchResult& wanted, std::size_t i)
         put(wanted.reflected_total.H, i, sum.reflected_H);
         put(wanted.transmitted_total.E, i, sum.transmitted_E);
         put(wanted.transmitted_total.H, i, sum.transmitted_H);
+    }
+}
+
+void solve_one(const FaceBatch& faces, const BatchResult& wanted, std::size_t i) {
+    try {
+        solve_face(faces, wanted, i);
+    } catch (const Error& error) {
+        throw Error("direction[" + std::to_string(i) + "]: " + error.what());
     }
 }
 

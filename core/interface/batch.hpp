@@ -77,8 +77,8 @@ enum class Lanes { scalar, baseline, avx512 };
 /// Solves the faces begin .. end - 1, so that threads can share a batch. Faces between transparent
 /// isotropic or uniaxial media are solved several at once and agree with Interface to rounding; all
 /// others, and waves about to merge, by Interface itself. Throws Error, naming the face as
-/// direction[i], where the wave does not carry energy towards the face; results are then
-/// incomplete.
+/// direction[i], where there is no such wave or it does not carry energy towards the face; results
+/// are then incomplete.
 void solve_batch(const FaceBatch& faces, const BatchResult& wanted, std::size_t begin,
                  std::size_t end, Lanes width = widest_lanes());
 

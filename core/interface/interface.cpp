@@ -58,11 +58,28 @@ struct FaceSolver {
                 const MergedPair away(to, +1), probe(to, -1);
                 match<T>(face, incident, reflected, {away.ordinary, away.partner},
                          {probe.ordinary, probe.partner});
-                for (auto& t : face.transmit_) t = away.unit_amplitudes(t[0], t[1]);
+                for (std::size_t m = 0; m < 2; ++m) {
+                    auto& t = face.transmit_[m];
+                    sum(away, t, face.summed_[m].data() + 12);
+                    t = away.unit_amplitudes(t[0], t[1]);
+                }
+                face.merged_ = true;
                 return;
             }
         }
         match<T>(face, incident, reflected, transmitted, waves_towards<T>(to, -1));
+    }
+
+    /// E and H of a pair together, while its amplitudes are still finite.
+    static void sum(const MergedPair& pair, const std::array<Complex, 2>& amplitude, double* out) {
+        const auto &a = pair.ordinary, &b = pair.partner;
+        const CVec3 E = amplitude[0] * a.E + amplitude[1] * b.E;
+        const Complex hx = amplitude[0] * a.hx + amplitude[1] * b.hx,
+                      hy = amplitude[0] * a.hy + amplitude[1] * b.hy;
+        for (const Complex& z : {E.x, E.y, E.z, hx, hy, pair.kt * E.y}) {
+            *out++ = z.real();
+            *out++ = z.imag();
+        }
     }
 
     /// `probe`: the waves of the far medium that come towards the face.
@@ -182,6 +199,11 @@ SummedFields Interface::summed_fields(const Wave& incident) const {
         out.transmitted_E += transmit_[m][i] * t.E;
         out.transmitted_H += transmit_[m][i] * t.H;
     }
+    if (merged_) {
+        const SummedFields exact = GeneralSolver::fields(*this, m);
+        out.transmitted_E = exact.transmitted_E;
+        out.transmitted_H = exact.transmitted_H;
+    }
     return out;
 }
 
@@ -194,7 +216,7 @@ Wave Interface::built(const Side& side, const MediumCore& medium, std::size_t i)
     Wave w;
     w.mode = modes_of(medium)[i];
     w.propagating = side.propagating[i];
-    if (w.propagating && medium.plain()) {
+    if (w.propagating && !general_) {
         // All real.
         const CVec3& F = side.E[i];
         const Vec3 k = kt_.real() * x_ + side.q[i].real() * normal_,
@@ -203,7 +225,9 @@ Wave Interface::built(const Side& side, const MediumCore& medium, std::size_t i)
         w.E = complexified(E);
         w.H = complexified(cross(k, E));
         w.n_phase = length(k);
-        w.ray = w.mode == Mode::extraordinary ? extraordinary_ray(medium, k) : k / w.n_phase;
+        w.ray = w.mode == Mode::extraordinary          ? extraordinary_ray(medium, k)
+                : medium.symmetry == Symmetry::biaxial ? normalised(cross(E, real(w.H)))
+                                                       : k / w.n_phase;
         w.n_ray = dot(k, w.ray);
         return w;
     }

@@ -41,7 +41,8 @@ class Interface {
 public:
     /// `normal` (unit) points from medium `from` to medium `to`. `incident` is a propagating wave
     /// of `from` that carries energy towards the face (at grazing incidence its own k is more
-    /// precise than anything recovered from the tangential wave vector).
+    /// precise than anything recovered from the tangential wave vector). Throws Error for a wave of
+    /// an absorbing medium that fades across its plane of incidence.
     Interface(const Medium& from, const Medium& to, const Vec3& normal, const Wave& incident);
 
     /// Coefficients of the incident wave given, or of another wave with the same wave vector: in an
@@ -89,11 +90,12 @@ private:
     MediumCore from_, to_;
     Vec3 x_, y_, normal_;
     Complex kt_ = 0;  ///< tangential wave number
-    bool general_ = false;
+    bool general_ = false, merged_ = false;
     Side reflected_, transmitted_;
     std::array<double, 2> flux_in_{};  ///< normal flux of the incident waves of |E| = 1
     std::array<std::array<Complex, 2>, 2> reflect_, transmit_;  ///< [incident mode][outgoing mode]
-    /// General media only, else without value, by [incident mode]: real and imaginary parts of the
+    /// General media, and what is transmitted where evanescent waves merge; else without value. By
+    /// [incident mode]: real and imaginary parts of the
     /// summed reflected E, H and transmitted E, H in the face's frame; their normal flux over the
     /// incident one.
     std::array<std::array<double, 24>, 2> summed_;

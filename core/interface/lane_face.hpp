@@ -9,18 +9,25 @@ namespace icespar::lanes {
 template <class V, bool uniaxial>
 struct Incident {
     Vector3<V> k, ray;
+    Vector3<V> local;  ///< along k, in the crystal's frame: o and e by exactly the same direction
 
     Incident(const MediumLanes<V>& m, const Vector3<V>& direction, bool second, bool by_ray)
         : k(m.n_o * direction), ray(direction) {
-        if (!uniaxial || !second) return;
+        if constexpr (!uniaxial) return;
+        const Crystal<V> f(m.axis);
         Vector3<V> d = direction;
+        if (!second) {
+            local = {dot(d, f.a), dot(d, f.b), dot(d, f.c)};
+            return;
+        }
         if (by_ray) {
             const V along = dot(direction, m.axis);
             d = m.inverse_o * direction + ((m.inverse_e - m.inverse_o) * along) * m.axis;
         }
-        const Crystal<V> f(m.axis);
         const V x = dot(d, f.a), y = dot(d, f.b), z = dot(d, f.c);
-        k = (m.n_o * m.n_e / sqrt(m.eps_o * (x * x + y * y) + m.eps_e * z * z)) * d;
+        const V scale = m.n_o * m.n_e / sqrt(m.eps_o * (x * x + y * y) + m.eps_e * z * z);
+        local = {scale * x, scale * y, scale * z};
+        k = scale * d;
         if (!by_ray) ray = unit(m.eps_o * k + ((m.eps_e - m.eps_o) * dot(k, m.axis)) * m.axis);
     }
 
@@ -31,9 +38,8 @@ struct Incident {
             return second ? cross(ray, frame.y) : frame.y;
         } else {
             const Crystal<V> f(m.axis);
-            const V ka = dot(k, f.a), kb = dot(k, f.b);
-            if (!second) return f.ordinary(ka, kb);
-            return unit(f.extraordinary(ka, kb, dot(k, f.c), m.inverse_o, m.inverse_e));
+            if (!second) return f.ordinary(local.x, local.y);
+            return unit(f.extraordinary(local.x, local.y, local.z, m.inverse_o, m.inverse_e));
         }
     }
 };

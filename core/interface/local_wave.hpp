@@ -167,9 +167,9 @@ inline bool merging(const FaceMedium& m, double sign) {
 struct MergedPair {
     LocalWave<Complex> ordinary, partner;
     Complex small, mix, o_factor;
-    double e_factor;
+    double e_factor, kt;
 
-    MergedPair(const FaceMedium& m, double sign) {
+    MergedPair(const FaceMedium& m, double sign) : kt(m.kt) {
         const CrystalFrame& f = m.crystal;
         const CrystalPair<Complex> pair(m, sign);
         const Complex ka = m.kt * f.a.x + pair.q_o * f.a.z, kb = m.kt * f.b.x + pair.q_o * f.b.z;
