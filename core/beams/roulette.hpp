@@ -1,0 +1,81 @@
+// Which beams are worth following: systematic roulette, the same for any number of threads.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+#include "math/random.hpp"
+
+namespace icespar {
+
+/// A beam of less than the threshold survives with a probability proportional to its weight. Beams
+/// of one depth share their chances like a systematic sample: their probabilities are added up from
+/// a random start, and whoever takes the sum past 1 survives. Each depth has a start of its own, so
+/// the mean is untouched, and neighbouring beams, which see much the same, are never all kept or
+/// all dropped.
+class Roulette {
+public:
+    void begin(std::uint64_t seed, double threshold) {
+        threshold_ = threshold;
+        for (Depth& d : depths_) d = {};
+        random_ = Random(seed);
+        for (double& s : sums_) s = random_.uniform();
+    }
+
+    /// 0 for a beam that ends, else the gain in weight of one that survives.
+    [[nodiscard]] double gain(double weight, int hits) {
+        double survival = weight >= threshold_ ? 1 : weight / threshold_;
+        if (hits >= static_cast<int>(sums_.size())) {
+            // Light that is all but caught in the stone.
+            if (survival > patience) survival = patience;
+            return random_.uniform() < survival ? 1 / survival : 0;
+        }
+        if (survival == 1) return 1;
+        depths_[static_cast<std::size_t>(hits)].expected += survival;
+        double& sum = sums_[static_cast<std::size_t>(hits)];
+        sum += survival;
+        if (sum < 1) return 0;
+        sum -= 1;
+        return 1 / survival;
+    }
+
+    /// What came of a survivor among beams that owe nothing to earlier chance.
+    void saw(int hits, double light) {
+        if (hits >= static_cast<int>(sums_.size())) return;
+        Depth& d = depths_[static_cast<std::size_t>(hits)];
+        if (d.survivors > 0) d.differences += (light - d.last) * (light - d.last);
+        d.last = light;
+        d.sum += light;
+        ++d.survivors;
+    }
+
+    /// Estimated variance of the sum over all survivors: in each depth by successive differences,
+    /// as for any systematic sample (Cochran 1977, 8.11), and by how much the number of survivors
+    /// varies.
+    [[nodiscard]] double variance() const {
+        double sum = 0;
+        for (const Depth& d : depths_) {
+            if (d.survivors == 0) continue;
+            const double m = d.survivors, mean = d.sum / m;
+            if (d.survivors > 1) sum += 0.5 * d.differences * m / (m - 1);
+            const double rest = d.expected - std::floor(d.expected);
+            sum += mean * mean * rest * (1 - rest) / std::min(1.0, d.expected);
+        }
+        return sum;
+    }
+
+private:
+    static constexpr double patience = 0.9;
+    double threshold_ = 0;
+    Random random_{0};
+    struct Depth {
+        double expected = 0, last = 0, sum = 0, differences = 0;
+        int survivors = 0;
+    };
+    std::array<double, 128> sums_{};
+    std::array<Depth, 128> depths_{};
+};
+
+}  // namespace icespar
