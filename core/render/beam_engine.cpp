@@ -38,6 +38,11 @@ BeamScene::~BeamScene() = default;
 
 std::string BeamScene::obstacle(const Scene& scene) {
     if (scene.gems.empty()) return "there is no stone in the scene";
+    for (const Gem& gem : scene.gems) {
+        if (gem.crystal.indices.size() > 2) return "a stone is biaxial";
+        if (gem.crystal.active()) return "a stone turns polarised light";
+        if (gem.crystal.absorbs()) return "a stone absorbs light";
+    }
     return {};
 }
 

@@ -118,7 +118,7 @@ Rendering render(const Scene& scene, const RenderOptions& options,
     const int across = (options.width + tile - 1) / tile, down = (options.height + tile - 1) / tile;
     const int tiles = across * down;
     // Per tile, so that sums do not depend on the threads.
-    std::vector<double> dropped(static_cast<std::size_t>(tiles), 0.0);
+    std::vector<double> dropped(static_cast<std::size_t>(tiles), 0.0), absorbed = dropped;
     std::vector<std::uint64_t> paths(static_cast<std::size_t>(tiles), 0);
 
     const auto render_tile = [&](int index, int first_sample, int count) {
@@ -132,11 +132,12 @@ Rendering render(const Scene& scene, const RenderOptions& options,
                 const int stone = beams ? beams->stone_at(x, y) : BeamScene::by_rays;
                 if (stone != BeamScene::by_rays) {
                     const auto number = static_cast<std::uint64_t>(first_sample);
-                    w.sampler.dropped = 0;
+                    w.sampler.dropped = w.sampler.absorbed = 0;
                     const double variance =
                         w.beams->pixel(x, y, stone, count, mixed(pixel ^ mixed(number)), w.sampler);
                     if (!film.add(x, y, w.sampler.sample, count)) ++w.bad;
                     dropped[static_cast<std::size_t>(index)] += count * w.sampler.dropped;
+                    absorbed[static_cast<std::size_t>(index)] += count * w.sampler.absorbed;
                     paths[static_cast<std::size_t>(index)] += static_cast<std::uint64_t>(count);
                     film.end_pass(x, y, variance);
                     continue;
@@ -146,12 +147,13 @@ Rendering render(const Scene& scene, const RenderOptions& options,
                     const CameraSample at = camera_sample(pixel, number);
                     w.sampler.begin(mixed(pixel ^ mixed(number)));
                     w.sampler.at_wavelength(at.wavelength);
-                    w.sampler.dropped = 0;
+                    w.sampler.dropped = w.sampler.absorbed = 0;
                     w.walker.walk(camera_branch(scene.camera, (x + at.x) / options.width,
                                                 (y + at.y) / options.height),
                                   w.sampler.wavelength_nm(), w.sampler);
                     if (!film.add(x, y, w.sampler.sample)) ++w.bad;
                     dropped[static_cast<std::size_t>(index)] += w.sampler.dropped;
+                    absorbed[static_cast<std::size_t>(index)] += w.sampler.absorbed;
                     ++paths[static_cast<std::size_t>(index)];
                 }
                 if (beams || (first_sample + count) % samples_per_pass == 0) film.end_pass(x, y);
@@ -205,8 +207,12 @@ Rendering render(const Scene& scene, const RenderOptions& options,
     }
 
     for (const double d : dropped) report.dropped += d;
+    for (const double a : absorbed) report.absorbed += a;
     for (const std::uint64_t n : paths) report.paths += n;
-    if (report.paths > 0) report.dropped /= static_cast<double>(report.paths);
+    if (report.paths > 0) {
+        report.dropped /= static_cast<double>(report.paths);
+        report.absorbed /= static_cast<double>(report.paths);
+    }
     for (const Worker& w : workers) {
         report.events += w.walker.events();
         if (w.beams) report.events += w.beams->events();
@@ -226,6 +232,7 @@ Rendering render(const Scene& scene, const RenderOptions& options,
     };
     m["error estimate"] = report.error > 0 ? number(report.error) : "unknown";
     m["dropped energy"] = number(report.dropped);
+    if (report.absorbed > 0) m["absorbed energy"] = number(report.absorbed);
     m["samples left out"] = std::to_string(report.bad_samples);
     m["version"] = ICESPAR_VERSION;
     return out;

@@ -56,6 +56,7 @@ public:
         return max_hits_ == 0 || b.hits < max_hits_;
     }
     void lose(const Stokes& response) { dropped += response.s0; }
+    void absorb(const Stokes& response) { absorbed += response.s0; }
 
     void see(const Emitter& light, const Stokes& seen, bool one_wavelength) {
         if (one_wavelength) return see_at_wavelength(light.radiance(draw_.wavelength_nm), seen);
@@ -97,7 +98,7 @@ private:
 
 public:
     std::vector<double> sample;
-    double dropped = 0;
+    double dropped = 0, absorbed = 0;
     double inside_threshold = roulette_weight, outside_threshold = outside_weight;
 };
 

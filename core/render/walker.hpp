@@ -4,12 +4,15 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <numbers>
 #include <vector>
 
 #include "render/branch.hpp"
 #include "render/palette.hpp"
 #include "render/random.hpp"
+#include "render/stone_optics.hpp"
 #include "render/surface.hpp"
+#include "render/twins.hpp"
 
 namespace icespar {
 
@@ -18,6 +21,7 @@ namespace icespar {
 ///   admit(Branch&)                  false drops a branch; one that survives roulette gains weight
 ///   may_meet(branch)                false: the branch ends before its next interface event
 ///   lose(stokes)                    the response of a branch given up without roulette
+///   absorb(stokes)                  the response of light that ends within a stone
 ///   see(emitter, stokes, at_one)    light that arrives; at_one: only at the traced wavelength
 ///   see_at_wavelength(L, stokes)    spectral radiance L at the traced wavelength
 ///   light_point()                   where on the unit square an area light is asked
@@ -28,9 +32,7 @@ class Walker {
 public:
     Walker(const World& world, const Palette& palette, bool heaviest_first)
         : world_(world), palette_(palette), heaviest_first_(heaviest_first) {
-        const auto gems = world.scene().gems.size();
-        media_.resize(gems);
-        media_wavelength_.assign(gems, 0);
+        stones_.resize(world.scene().gems.size());
     }
 
     std::uint64_t events() const { return events_; }
@@ -38,10 +40,11 @@ public:
     void walk(const Branch& first, double wavelength_nm, Guide& guide) {
         wavelength_nm_ = wavelength_nm;
         branches_.clear();
+        twins_.clear();
         push(first, guide);
         while (!branches_.empty()) {
             if (heaviest_first_) std::pop_heap(branches_.begin(), branches_.end(), lighter);
-            const Branch branch = branches_.back();
+            Branch branch = branches_.back();
             branches_.pop_back();
             if (branch.gem >= 0) {
                 follow_inside(branch, guide);
@@ -63,27 +66,61 @@ private:
         }
     }
 
-    const Medium& medium(int gem) {
-        const auto g = static_cast<std::size_t>(gem);
-        if (media_wavelength_[g] != wavelength_nm_) {
-            const Crystal& crystal = world_.scene().gems[g].crystal;
-            const double n = crystal.indices[0](wavelength_nm_);
-            media_[g] = crystal.birefringent()
-                            ? Medium::uniaxial(n, crystal.indices[1](wavelength_nm_), crystal.axis)
-                            : Medium::isotropic(n);
-            media_wavelength_[g] = wavelength_nm_;
+    const StoneOptics& optics(int gem) {
+        StoneOptics& stone = stones_[static_cast<std::size_t>(gem)];
+        if (stone.wavelength_nm() != wavelength_nm_) {
+            stone = StoneOptics(world_.scene().gems[static_cast<std::size_t>(gem)].crystal,
+                                wavelength_nm_);
         }
-        return media_[g];
+        return stone;
     }
 
-    void follow_inside(const Branch& b, Guide& guide) {
+    void follow_inside(Branch& b, Guide& guide) {
         if (!guide.may_meet(b)) return guide.lose(b.unpolarised());
+        if (b.twin >= 0) return follow_twins(b, guide);
         double distance = 0;
         const int facet = world_.planes(b.gem).exit(b.position, b.ray, b.facet, distance);
         if (facet < 0) return guide.lose(b.unpolarised());
+        const StoneOptics& within = optics(b.gem);
+        if (within.absorbing()) absorb(b, within, distance, guide);
         const Stone& stone = world_.scene().gems[static_cast<std::size_t>(b.gem)].stone;
-        meet_face(b, b.position + distance * b.ray, medium(b.gem), air_,
+        meet_face(b, b.position + distance * b.ray, within.medium(), air_,
                   stone.facets[static_cast<std::size_t>(facet)].normal, b.gem, facet, guide);
+    }
+
+    void absorb(Branch& b, const StoneOptics& within, double distance, Guide& guide) {
+        const double left = within.transmittance(
+            b.k, b.ray, b.basis[0], within.medium().plain() ? Vec3{} : b.basis[1], distance);
+        guide.absorb((1 - left) * b.unpolarised());
+        b.scale(left);
+    }
+
+    /// Light along the axis of an active stone turns because its two modes keep step: while both
+    /// meet the same facet, and leave it as one wave would, they are added as fields. Elsewhere
+    /// they part for good.
+    void follow_twins(const Branch& b, Guide& guide) {
+        const Twin twin = twins_[static_cast<std::size_t>(b.twin)];
+        Branch fast = b, slow = b;
+        fast.twin = slow.twin = -1;
+        slow.mode = Mode::slow;
+        slow.k = twin.k;
+        slow.ray = twin.ray;
+        slow.basis = twin.basis;
+        for (std::size_t axis = 0; axis < 2; ++axis) {
+            fast.amplitude[axis] = {b.amplitude[axis][0], 0};
+            slow.amplitude[axis] = {b.amplitude[axis][1], 0};
+        }
+        const double response = b.diffused ? b.response.s0 : 1;
+        fast.weight = fast.power() * response;
+        slow.weight = slow.power() * response;
+        double distance = 0, other = 0;
+        const int facet = world_.planes(b.gem).exit(b.position, b.ray, b.facet, distance);
+        if (facet >= 0 &&
+            facet == world_.planes(b.gem).exit(b.position, twin.ray, b.facet, other)) {
+            if (meet_as_one(fast, slow, distance, facet, guide)) return;
+        }
+        follow_inside(fast, guide);
+        follow_inside(slow, guide);
     }
 
     void follow_outside(const Branch& b, Guide& guide) {
@@ -93,7 +130,7 @@ private:
         if (hit.thing >= 0) return meet_thing(b, point, hit, guide);
         if (!guide.may_meet(b)) return guide.lose(b.unpolarised());
         const Stone& stone = world_.scene().gems[static_cast<std::size_t>(hit.gem)].stone;
-        meet_face(b, point, air_, medium(hit.gem),
+        meet_face(b, point, air_, optics(hit.gem).medium(),
                   -stone.facets[static_cast<std::size_t>(hit.facet)].normal, hit.gem, hit.facet,
                   guide);
     }
@@ -103,9 +140,13 @@ private:
                    const Vec3& normal, int gem, int facet, Guide& guide) {
         ++events_;
         Wave incident;
-        incident.mode = b.gem >= 0 && from.birefringent ? b.mode : Mode::s;
-        incident.k = complexified(b.k);
-        incident.E = complexified(b.basis[0]);
+        if (from.plain()) {
+            incident.mode = b.gem >= 0 && from.birefringent ? b.mode : Mode::s;
+            incident.k = complexified(b.k);
+            incident.E = complexified(b.basis[0]);
+        } else {
+            incident = wave_of(b, from);
+        }
         const Interface face(from, to, normal, incident);
 
         // Amplitudes of the incident waves: one mode of a crystal, or s and p of an isotropic
@@ -113,7 +154,7 @@ private:
         auto incoming = b.amplitude;
         std::size_t first = 0, last = 1;
         if (from.birefringent) {
-            first = last = b.mode == Mode::ordinary ? 0 : 1;
+            first = last = mode_index(b.mode);
             for (auto& row : incoming) row = {row[0], row[0]};
         } else {
             const Vec3& s = face.s_direction();
@@ -127,6 +168,7 @@ private:
 
         Branch child = b;
         child.position = point;
+        child.twin = -1;
         child.hits = b.hits + 1;
         child.one_wavelength =
             b.one_wavelength ||
@@ -137,14 +179,33 @@ private:
             child.gem = inside ? gem : -1;
             child.facet = facet;
             child.from = {gem, -1};
-            if (medium_out.birefringent) {
+            if (medium_out.active() && face.propagating(transmitted, 0) &&
+                face.propagating(transmitted, 1)) {
+                std::array<Wave, 2> waves{face.reflected(0), face.reflected(1)};
+                if (transmitted) waves = {face.transmitted(0), face.transmitted(1)};
+                for (std::size_t axis = 0; axis < 2; ++axis) {
+                    for (std::size_t i = 0; i < 2; ++i) {
+                        child.amplitude[axis][i] =
+                            outgoing(face, incoming[axis], first, last, transmitted, i);
+                    }
+                }
+                send_twins(child, waves, guide);
+            } else if (medium_out.birefringent) {
                 for (std::size_t i = 0; i < 2; ++i) {
                     if (!face.propagating(transmitted, i)) continue;
-                    child.mode = i == 0 ? Mode::ordinary : Mode::extraordinary;
-                    child.k = face.wave_vector(transmitted, i);
-                    child.ray =
-                        i == 0 ? child.k / medium_out.n_o : extraordinary_ray(medium_out, child.k);
-                    child.basis[0] = face.field_direction(transmitted, i);
+                    if (medium_out.plain()) {
+                        child.mode = i == 0 ? Mode::ordinary : Mode::extraordinary;
+                        child.k = face.wave_vector(transmitted, i);
+                        child.ray = i == 0 ? child.k / medium_out.n_o
+                                           : extraordinary_ray(medium_out, child.k);
+                        child.basis[0] = face.field_direction(transmitted, i);
+                    } else {
+                        const Wave wave = transmitted ? face.transmitted(i) : face.reflected(i);
+                        child.mode = wave.mode;
+                        child.k = real(wave.k);
+                        child.ray = wave.ray;
+                        child.basis = {real(wave.E), imag(wave.E)};
+                    }
                     for (std::size_t axis = 0; axis < 2; ++axis) {
                         child.amplitude[axis] = {
                             outgoing(face, incoming[axis], first, last, transmitted, i), 0};
@@ -173,6 +234,69 @@ private:
             sum += incoming[m] * face.flux_amplitude(m, transmitted, i);
         }
         return sum;
+    }
+
+    /// Both modes of a branch at a facet; false when they do not go on together.
+    bool meet_as_one(Branch& fast, Branch& slow, double distance, int facet, Guide& guide) {
+        const StoneOptics& within = optics(fast.gem);
+        const Stone& stone = world_.scene().gems[static_cast<std::size_t>(fast.gem)].stone;
+        const auto face =
+            meet_facet(within.medium(), stone.facets[static_cast<std::size_t>(facet)].normal,
+                       wave_of(fast, within.medium()), wave_of(slow, within.medium()));
+        if (!face) return false;
+        ++events_;
+        if (within.absorbing()) {
+            absorb(fast, within, distance, guide);
+            absorb(slow, within, distance, guide);
+        }
+        Branch child = fast;
+        child.position = fast.position + distance * fast.ray;
+        child.hits = fast.hits + 1;
+        child.facet = facet;
+        child.from = {fast.gem, -1};
+        // The slow mode's phase over the fast one's, where the fast one meets the facet.
+        const double k0 = 2e6 * std::numbers::pi / wavelength_nm_;
+        const Complex turn = std::polar(1.0, k0 * distance * dot(slow.k - fast.k, fast.ray));
+        const auto combine = [&](const std::array<std::array<Complex, 2>, 2>& coefficients) {
+            for (std::size_t axis = 0; axis < 2; ++axis) {
+                for (std::size_t i = 0; i < 2; ++i) {
+                    child.amplitude[axis][i] = fast.amplitude[axis][0] * coefficients[0][i] +
+                                               turn * slow.amplitude[axis][0] * coefficients[1][i];
+                }
+            }
+        };
+        combine(face->reflect);
+        send_twins(child, face->reflected, guide);
+        if (!face->leaves) return true;
+        combine(face->transmit);
+        child.gem = -1;
+        child.k = face->k;
+        child.ray = normalised(child.k);
+        child.basis = face->basis;
+        send(child, guide);
+        return true;
+    }
+
+    static Wave wave_of(const Branch& b, const Medium& medium) {
+        Wave w;
+        w.mode = b.mode;
+        w.k = complexified(b.k);
+        w.E = complexified(b.basis[0]) + Complex(0, 1) * complexified(b.basis[1]);
+        w.H = medium.magnetic_field(w.k, w.E);
+        w.n_phase = length(b.k);
+        return w;
+    }
+
+    /// Two modes that leave one event, the amplitudes in the two columns.
+    void send_twins(Branch& child, const std::array<Wave, 2>& waves, Guide& guide) {
+        child.mode = waves[0].mode;
+        child.k = real(waves[0].k);
+        child.ray = waves[0].ray;
+        child.basis = {real(waves[0].E), imag(waves[0].E)};
+        child.twin = static_cast<int>(twins_.size());
+        twins_.push_back({real(waves[1].k), waves[1].ray, {real(waves[1].E), imag(waves[1].E)}});
+        send(child, guide);
+        child.twin = -1;
     }
 
     void send(Branch& child, Guide& guide) {
@@ -254,9 +378,9 @@ private:
     bool heaviest_first_;
     Medium air_ = Medium::isotropic(1);
     double wavelength_nm_ = 0;
-    std::vector<Medium> media_;
-    std::vector<double> media_wavelength_;
+    std::vector<StoneOptics> stones_;
     std::vector<Branch> branches_;
+    std::vector<Twin> twins_;
     std::uint64_t events_ = 0;
 };
 

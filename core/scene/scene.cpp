@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <boost/geometry.hpp>
 #include <boost/geometry/index/rtree.hpp>
+#include <functional>
 #include <limits>
 
 namespace icespar {
@@ -84,6 +85,38 @@ std::vector<Vec3> outermost_points(const Thing& thing) {
     return out;
 }
 
+void check_crystal(const Crystal& c, const std::function<void(std::string)>& add) {
+    if (c.indices.empty() || c.indices.size() > 3) {
+        add("a stone needs one index (isotropic), two (uniaxial) or three (biaxial)");
+    }
+    for (const IndexFunction& n : c.indices) {
+        if (!n.valid()) {
+            add("a refractive index is below 1 or not finite between 380 and 780 nm");
+        }
+    }
+    if (!(std::abs(length(c.axis) - 1) < 1e-6)) {
+        add("the optic axis is not a unit vector");
+    }
+    if (c.indices.size() == 3 && (!(std::abs(length(c.third_axis) - 1) < 1e-6) ||
+                                  !(std::abs(dot(c.axis, c.third_axis)) < 1e-6))) {
+        add("the principal axes are not perpendicular unit vectors");
+    }
+    if (!c.absorption.empty() && c.absorption.size() != c.indices.size()) {
+        add("absorption needs one spectrum for each refractive index");
+    }
+    for (const Spectrum& a : c.absorption) {
+        if (!(a.least() >= 0)) add("absorption is below 0");
+    }
+    if (c.fade && (!(c.fade->distance > 0) || !(c.fade->power >= 0) ||
+                   !(c.fade->colour.least() >= 0) || !(c.fade->colour.greatest() <= 1))) {
+        add("attenuation needs a distance above 0, a power of at least 0 and a "
+            "colour between 0 and 1");
+    }
+    if (c.indices.size() != 2 && c.active()) {
+        add("optical activity is known for uniaxial stones only");
+    }
+}
+
 /// What is wrong with one gem by itself.
 void check_gem(const Gem& gem, std::size_t number, std::vector<SceneFault>& out) {
     const auto add = [&](std::string message) { out.push_back({number, std::move(message)}); };
@@ -94,16 +127,7 @@ void check_gem(const Gem& gem, std::size_t number, std::vector<SceneFault>& out)
             add("facet '" + f.name + "' is not finite");
         }
     }
-    if (gem.crystal.indices.empty() || gem.crystal.indices.size() > 2) {
-        add("a stone needs one index (isotropic) or two (uniaxial)");
-    }
-    for (const IndexFunction& n : gem.crystal.indices) {
-        if (!n.valid()) {
-            add("a refractive index is below 1 or not finite between 380 and 780 nm");
-        }
-    }
-    const double axis = length(gem.crystal.axis);
-    if (!(std::abs(axis - 1) < 1e-6)) add("the optic axis is not a unit vector");
+    check_crystal(gem.crystal, add);
 }
 
 }  // namespace

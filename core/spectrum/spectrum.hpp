@@ -1,6 +1,7 @@
 // Functions of wavelength: linear between their nodes, constant beyond the first and the last.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 #include <vector>
@@ -15,10 +16,20 @@ public:
     Spectrum() = default;                ///< zero everywhere
     explicit Spectrum(double constant);  ///< the same value everywhere
 
-    /// Nodes must rise strictly in wavelength; throws Error otherwise or when a number is not finite.
+    /// Nodes must rise strictly in wavelength; throws Error otherwise or when a number is not
+    /// finite.
     Spectrum(std::vector<double> wavelengths_nm, std::vector<double> values);
 
     [[nodiscard]] double operator()(double wavelength_nm) const;
+
+    /// The same value at every wavelength.
+    [[nodiscard]] bool flat() const { return values_.size() < 2; }
+    [[nodiscard]] double least() const {
+        return values_.empty() ? 0 : *std::min_element(values_.begin(), values_.end());
+    }
+    [[nodiscard]] double greatest() const {
+        return values_.empty() ? 0 : *std::max_element(values_.begin(), values_.end());
+    }
 
     /// The sum of f(wavelength) over the 1 nm grid of the rendered range, times 1 nm.
     template <class F>
@@ -28,6 +39,7 @@ public:
         return sum;
     }
 
+    friend Spectrum operator+(const Spectrum& a, const Spectrum& b);
     friend Spectrum operator*(const Spectrum& a, const Spectrum& b);
     friend Spectrum operator*(double factor, const Spectrum& a);
 
@@ -41,7 +53,8 @@ using Rgb = std::array<double, 3>;
 using Xyz = std::array<double, 3>;
 
 /// CIE 1931 2-degree observer at a wavelength, zero outside the rendered range; scaled so that the
-/// equal-energy light E at value 1 has luminance Y = 1, and so has the illuminant D65 (see `white`).
+/// equal-energy light E at value 1 has luminance Y = 1, and so has the illuminant D65 (see
+/// `white`).
 [[nodiscard]] Xyz observer(double wavelength_nm);
 
 [[nodiscard]] Rgb rgb_from_xyz(const Xyz& xyz);
@@ -55,8 +68,8 @@ using Xyz = std::array<double, 3>;
 /// equal-energy light E of luminance 1 has radiance 1 at every wavelength.
 [[nodiscard]] const Spectrum& white();
 
-/// A CIE illuminant by name ("D65", "D50", "A", "E"), scaled to luminance Y = 1. Throws Error with the
-/// names there are.
+/// A CIE illuminant by name ("D65", "D50", "A", "E"), scaled to luminance Y = 1. Throws Error with
+/// the names there are.
 [[nodiscard]] Spectrum illuminant(std::string_view name);
 /// Planck's law, scaled to luminance Y = 1; kelvin in 500 .. 50000.
 [[nodiscard]] Spectrum blackbody(double kelvin);
@@ -66,6 +79,8 @@ using Xyz = std::array<double, 3>;
 /// values above 1 serve for emission.
 [[nodiscard]] Spectrum reflectance_from_rgb(const Rgb& rgb);
 
+/// The sum, on the union of both sets of nodes.
+[[nodiscard]] Spectrum operator+(const Spectrum& a, const Spectrum& b);
 /// The product, on the union of both sets of nodes.
 [[nodiscard]] Spectrum operator*(const Spectrum& a, const Spectrum& b);
 [[nodiscard]] Spectrum operator*(double factor, const Spectrum& a);

@@ -29,12 +29,25 @@ std::vector<Case> cases(Random& random) {
     return out;
 }
 
-/// The worst |stokes + dropped - (1, 0, 0, 0)| of a component over the rays.
+/// Brilliants whose waves the general solver finds.
+std::vector<Case> general_cases(Random& random) {
+    std::vector<Case> out;
+    for (const bool strong : {false, true}) {
+        const Crystal crystal = strong ? sphene(random) : topaz(random);
+        out.push_back({strong ? "sphene" : "topaz", scene_of(brilliant_stone(), crystal)});
+    }
+    out.push_back({"quartz", scene_of(brilliant_stone(), active_quartz(random.direction()))});
+    return out;
+}
+
+/// The worst |stokes + dropped + absorbed - (1, 0, 0, 0)| of a component over the rays.
 double imbalance(const Scene& scene, std::span<const SensorRay> rays, const TraceOptions& options) {
     const Traced traced = trace(scene, rays, options);
     double worst = 0;
     for (std::size_t i = 0; i < rays.size(); ++i) {
-        worst = std::max(worst, difference(traced.stokes[i] + traced.dropped[i], {1, 0, 0, 0}));
+        worst = std::max(
+            worst,
+            difference(traced.stokes[i] + traced.dropped[i] + traced.absorbed[i], {1, 0, 0, 0}));
     }
     return worst;
 }
@@ -74,6 +87,64 @@ TEST_CASE("in a furnace the whole tree balances too, and little of it is given u
             CHECK(traced.dropped[i].s0 >= 0);
             CHECK(traced.dropped[i].s0 <= 0.02);
         }
+    }
+}
+
+TEST_CASE("biaxial and active stones are not seen in a furnace", "[furnace][general]") {
+    const int seed = GENERATE(range(1, 4));
+    Random random(static_cast<std::uint64_t>(seed));
+    for (const Case& c : general_cases(random)) {
+        TraceOptions options;
+        options.max_hits = 6;
+        const double worst = imbalance(c.scene, random_rays(random, 12, 5, 0.8), options);
+        INFO(c.name << ", seed " << seed << ": " << in_digits(worst));
+        CHECK(worst <= 1e-12);
+    }
+}
+
+TEST_CASE("in a furnace a coloured stone shows 1 less what it kept", "[furnace][absorption]") {
+    Random random(7);
+    std::vector<Case> stones = cases(random);
+    for (Case& c : general_cases(random)) stones.push_back(std::move(c));
+    for (Case& c : stones) {
+        Crystal& crystal = c.scene.gems.front().crystal;
+        for (std::size_t i = 0; i < crystal.indices.size(); ++i) {
+            crystal.absorption.push_back(Spectrum(random.uniform(0, 2)));
+        }
+        TraceOptions options;
+        options.max_hits = 6;
+        const double worst = imbalance(c.scene, random_rays(random, 8, 5, 0.8), options);
+        INFO(c.name << ": " << in_digits(worst));
+        CHECK(worst <= 1e-12);
+    }
+}
+
+TEST_CASE("light along the optic axes of a biaxial stone neither gains nor is lost",
+          "[furnace][conical]") {
+    Random random(8);
+    for (int i = 0; i < 20; ++i) {
+        const Crystal crystal = i % 2 == 0 ? topaz(random) : sphene(random);
+        // The plate's normal lies along an optic axis, where the two sheets meet in a point.
+        const Vec3& x = crystal.axis;
+        const Vec3& z = crystal.third_axis;
+        const double a = crystal.indices[0](589.3), b = crystal.indices[1](589.3),
+                     c = crystal.indices[2](589.3);
+        const double v = std::atan2(c * std::sqrt(b * b - a * a), a * std::sqrt(c * c - b * b));
+        const Vec3 normal = std::cos(v) * z + std::sin(v) * x;
+        const Vec3 u = random.perpendicular_to(normal), w = cross(normal, u);
+        const std::vector<FacetPlane> planes{{normal, 0.5, "top"}, {-normal, 0.5, "foot"},
+                                             {u, 2, "a"},          {-u, 2, "b"},
+                                             {w, 2, "c"},          {-w, 2, "d"}};
+        const Scene scene = scene_of(Stone::from_planes(planes), crystal);
+        std::vector<SensorRay> rays;
+        for (const double off : {0.0, 1e-16, 1e-12, 1e-8, 1e-5, 1e-3}) {
+            const Vec3 d = normalised(off * random.direction() - normal);
+            rays.push_back({-3.0 * d, d, random.perpendicular_to(d)});
+        }
+        TraceOptions options;
+        options.max_hits = 5;
+        CAPTURE(i);
+        CHECK(imbalance(scene, rays, options) <= 1e-12);
     }
 }
 
