@@ -31,13 +31,15 @@ BeamScene::BeamScene(const World& world, int width, int height)
         stones_->visibility.emplace_back(world, static_cast<int>(i), width, height);
     }
     stones_->sky_only = scene.gems.size() == 1 && scene.things.empty() &&
-                        scene.environment.state == Stokes{1, 0, 0, 0};
+                        scene.environment.state == Stokes{1, 0, 0, 0} &&
+                        !scene.environment.pattern && scene.environment.formulas.empty();
 }
 
 BeamScene::~BeamScene() = default;
 
 std::string BeamScene::obstacle(const Scene& scene) {
     if (scene.gems.empty()) return "there is no stone in the scene";
+    if (!scene.camera.is_simple()) return "the camera has a lens, a fisheye or an analyser";
     for (const Gem& gem : scene.gems) {
         if (gem.crystal.indices.size() > 2) return "a stone is biaxial";
         if (gem.crystal.active()) return "a stone turns polarised light";
