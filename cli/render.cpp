@@ -84,6 +84,7 @@ std::string report_line(const RenderReport& report) {
             std::to_string(report.samples) + (report.samples == 1 ? " sample" : " samples") +
             " a pixel";
     if (report.error > 0) line += format(", error %.2g", report.error);
+    if (report.absorbed > 0) line += format(", absorbed energy %.2g", report.absorbed);
     return line + format(", dropped energy %.2g", report.dropped) + ", " +
            std::to_string(report.bad_samples) + " bad samples";
 }

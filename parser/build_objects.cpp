@@ -119,7 +119,7 @@ Parts Builder::group(const Block& block) {
         part.inverse = part.inverse != inverse;
         part.place = part.place.then(place);
         apply(place, part.look);
-        if (part.look.interior) part.look.interior->axis = place.vector(part.look.interior->axis);
+        if (part.look.interior) part.look.interior->turn(place);
         // As in POV-Ray, a part with a pigment or finish of its own takes neither from the group.
         if (!part.look.pigment && !part.look.finish) {
             part.look.pigment = look.pigment;
@@ -128,7 +128,7 @@ Parts Builder::group(const Block& block) {
         part.look.at_fault = part.look.at_fault || look.at_fault;
         if (!part.look.interior && look.interior) {
             part.look.interior = look.interior;
-            part.look.interior->axis = place.vector(look.interior->axis);
+            part.look.interior->turn(place);
         }
         // Within an object the one thing's own texture gives way to the object's.
         if (block.word != "object") part.of_union = true;
@@ -200,7 +200,7 @@ Part Builder::primitive(const Block& block) {
                     {}};
     }
     part.place = part.place.then(place);
-    if (part.look.interior) part.look.interior->axis = place.vector(part.look.interior->axis);
+    if (part.look.interior) part.look.interior->turn(place);
     return part;
 }
 

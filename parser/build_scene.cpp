@@ -228,16 +228,19 @@ void Builder::finish_stone(const Part& part, Solid& solid) {
     } catch (const Error& error) {
         throw Fault{part.where, error.what(), {}};
     }
-    gem.crystal.indices = part.look.interior->indices;
-    const Vec3 axis = mirrored(part.look.interior->axis);
+    gem.crystal = part.look.interior->crystal;
     if (gem.crystal.birefringent()) {
-        const double size = length(axis);
-        if (!(size > 0) || !std::isfinite(size)) {
+        Vec3 &axis = gem.crystal.axis, &third = gem.crystal.third_axis;
+        axis = mirrored(axis);
+        axis = axis / length(axis);
+        third = mirrored(third);
+        third = third - dot(third, axis) * axis;
+        third = third / length(third);
+        if (!is_finite(axis) || (gem.crystal.indices.size() == 3 && !is_finite(third))) {
             throw Fault{part.look.interior->where,
                         "the optic axis is lost in this object's transforms",
                         {}};
         }
-        gem.crystal.axis = axis / size;
     }
     gem.name = sources_.file_and_line(part.where);
     scene_.gems.push_back(std::move(gem));

@@ -63,7 +63,7 @@ Part Builder::gem(const Block& block) {
         throw Fault{block.place, "this gem has no shape",
                     "add cut, design, hull, box or intersection"};
     }
-    if (part.look.interior) part.look.interior->axis = place.vector(part.look.interior->axis);
+    if (part.look.interior) part.look.interior->turn(place);
     part.place = place;
     return part;
 }
@@ -94,7 +94,7 @@ Part Builder::intersection(const Block& block) {
         part.solid->planes.insert(part.solid->planes.end(), more.planes.begin(), more.planes.end());
         part.solid->facet_places.merge(more.facet_places);
     }
-    if (part.look.interior) part.look.interior->axis = place.vector(part.look.interior->axis);
+    if (part.look.interior) part.look.interior->turn(place);
     part.place = place;
     return part;
 }

@@ -27,10 +27,11 @@ struct PigmentLook {
     [[nodiscard]] bool transparent() const { return first[3] + first[4] > 0; }
 };
 
+/// In the object's coordinates; the axes may have any length.
 struct InteriorLook {
-    std::vector<IndexFunction> indices;
-    Vec3 axis{0, 1, 0};
+    Crystal crystal{{}, {0, 1, 0}};
     Place where;
+    void turn(const Transform& t);
 };
 
 /// `emission` of the finish is what these two add up to.
@@ -120,10 +121,14 @@ private:
     /// A finish amends the one already there, or the default.
     FinishLook finish(const Block& block, const std::optional<FinishLook>& before);
     InteriorLook interior(const Block& block);
+    // build_crystal.cpp
+    struct CrystalWords;
     void crystal(const Block& block, InteriorLook& look);
-    void dispersion(const Block& block, std::vector<IndexFunction>& formulas,
-                    std::optional<double>& bg);
-    std::vector<double> indices(Cursor& cursor);
+    void crystal_item(Cursor& cursor, InteriorLook& look, CrystalWords& words);
+    void dispersion(const Block& block, CrystalWords& words);
+    void absorption(const Block& block, CrystalWords& words);
+    static void crystal_indices(const Block& block, Crystal& crystal, const CrystalWords& words);
+    static void crystal_absorption(Crystal& crystal, const CrystalWords& words);
 
     void shape(const Block& block, Solid& solid);
     void cut(const Block& block, Solid& solid);
@@ -154,6 +159,7 @@ private:
     bool environment_seen_ = false;
 };
 
+[[nodiscard]] double index_value(Cursor& cursor);
 /// Reads the transform whose word (or block) the cursor stands at; nothing when there is none.
 [[nodiscard]] std::optional<Transform> read_transform(Cursor& cursor);
 /// What a `transform { ... }` comes to.

@@ -41,9 +41,10 @@ inline constexpr BlockWords blocks[] = {
     {"cut", "gear offset facet", &transforms},
     {"facet", "angle distance index every from name", nullptr},
     {"hull", "", &transforms},
-    {"interior", "ior crystal dispersion fade_distance fade_power", nullptr},
-    {"crystal", "mineral indices axis dispersion cauchy sellmeier", nullptr},
-    {"dispersion", "cauchy sellmeier bg", nullptr},
+    {"interior", "ior crystal dispersion fade_distance fade_power fade_color fade_colour", nullptr},
+    {"crystal", "mineral indices axis axes dispersion absorption rotation", nullptr},
+    {"dispersion", "cauchy sellmeier abbe bg", nullptr},
+    {"absorption", "ordinary extraordinary first second third", nullptr},
     {"sellmeier", "", nullptr},
     {"cauchy", "", nullptr},
     {"pigment", "checker grid line gradient color_map colour_map", &transforms},
@@ -59,12 +60,12 @@ inline constexpr std::string_view ours =
     "environment gem cut hull facet gear index every from name design scale_to crystal mineral "
     "indices axis "
     "uniform illuminant blackbody polarised linear left unit mm cm m um in grid line bg cauchy "
+    "abbe ordinary extraordinary first second third axes rotation "
     "sellmeier";
 
 /// Words that language.md promises for later; also unknown to POV-Ray.
 inline constexpr std::string_view ours_later =
-    "sheet head image iso cosine sc2 aset idealscope lamps analyser spectrum gaussian abbe "
-    "rotation "
+    "sheet head image iso cosine sc2 aset idealscope lamps analyser spectrum gaussian "
     "square triangular pavement tiling text_space transform_space ovus ambient_occlusion "
     "diffuse_exponent";
 
@@ -120,10 +121,8 @@ inline constexpr Advice skipped[] = {
     {"spotlight parallel point_at radius falloff tightness projected_through",
      "the lamp shines in all directions"},
     {"aperture focal_point", "depth of field is not rendered yet"},
-    {"fade_color fade_colour absorption extinction",
-     "absorption is not rendered yet: the stone is clear"},
+    {"extinction", "stones take light by 'absorption' in 'crystal', or by 'fade_distance'"},
     {"dispersion_samples", "every wavelength is traced"},
-    {"rotation", "optical activity is not rendered yet"},
     {"refraction", "a thing with an ior refracts"},
 };
 

@@ -79,6 +79,10 @@ Vector3<R> real(const Vector3<std::complex<R>>& v) {
     return {v.x.real(), v.y.real(), v.z.real()};
 }
 template <class R>
+Vector3<R> imag(const Vector3<std::complex<R>>& v) {
+    return {v.x.imag(), v.y.imag(), v.z.imag()};
+}
+template <class R>
 Vector3<std::complex<R>> complexified(const Vector3<R>& v) {
     return {v.x, v.y, v.z};
 }

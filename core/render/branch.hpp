@@ -19,9 +19,9 @@ struct Branch {
     int gem = -1;         ///< inside this gem, or -1 outside
     int facet = -1;       ///< inside: the facet just left
     Departure from;       ///< outside: the object just left
-    Mode mode = Mode::s;  ///< inside a birefringent gem: ordinary or extraordinary
-    /// Unit polarisations that belong to the two columns of `amplitude`; in a birefringent gem only
-    /// the first, the mode's E.
+    Mode mode = Mode::s;  ///< inside a birefringent gem: which of its two
+    /// Unit polarisations that belong to the two columns of `amplitude`. In a birefringent gem only
+    /// the first, the mode's E; in a biaxial or active one the real and the imaginary part of E.
     std::array<Vec3, 2> basis;
     /// [sensor axis x or y][basis vector]; in a birefringent gem only column 0, of `mode`.
     std::array<std::array<Complex, 2>, 2> amplitude{};

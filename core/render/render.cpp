@@ -65,6 +65,7 @@ public:
         return max_hits_ == 0 || b.hits < max_hits_;
     }
     void lose(const Stokes& response) { dropped += response.s0; }
+    void absorb(const Stokes& response) { absorbed += response.s0; }
 
     void see(const Emitter& light, const Stokes& seen, bool one_wavelength) {
         if (one_wavelength) return see_at_wavelength(light.radiance(draw_.wavelength_nm), seen);
@@ -106,7 +107,7 @@ private:
 
 public:
     std::vector<double> sample;
-    double dropped = 0;
+    double dropped = 0, absorbed = 0;
 };
 
 struct Worker {
@@ -169,7 +170,7 @@ Rendering render(const Scene& scene, const RenderOptions& options,
     const int across = (options.width + tile - 1) / tile, down = (options.height + tile - 1) / tile;
     const int tiles = across * down;
     // Per tile, so that sums do not depend on the threads.
-    std::vector<double> dropped(static_cast<std::size_t>(tiles), 0.0);
+    std::vector<double> dropped(static_cast<std::size_t>(tiles), 0.0), absorbed = dropped;
     std::vector<std::uint64_t> paths(static_cast<std::size_t>(tiles), 0);
 
     const auto render_tile = [&](int index, int first_sample, int count) {
@@ -184,12 +185,13 @@ Rendering render(const Scene& scene, const RenderOptions& options,
                     const auto number = static_cast<std::uint64_t>(i);
                     const CameraSample at = camera_sample(pixel, number);
                     w.sampler.begin(mixed(pixel ^ mixed(number)), at.wavelength);
-                    w.sampler.dropped = 0;
+                    w.sampler.dropped = w.sampler.absorbed = 0;
                     w.walker.walk(camera_branch(scene.camera, (x + at.x) / options.width,
                                                 (y + at.y) / options.height),
                                   w.sampler.wavelength_nm(), w.sampler);
                     if (!film.add(x, y, w.sampler.sample)) ++w.bad;
                     dropped[static_cast<std::size_t>(index)] += w.sampler.dropped;
+                    absorbed[static_cast<std::size_t>(index)] += w.sampler.absorbed;
                     ++paths[static_cast<std::size_t>(index)];
                 }
                 if ((first_sample + count) % samples_per_pass == 0) film.end_pass(x, y);
@@ -242,8 +244,12 @@ Rendering render(const Scene& scene, const RenderOptions& options,
     }
 
     for (const double d : dropped) report.dropped += d;
+    for (const double a : absorbed) report.absorbed += a;
     for (const std::uint64_t n : paths) report.paths += n;
-    if (report.paths > 0) report.dropped /= static_cast<double>(report.paths);
+    if (report.paths > 0) {
+        report.dropped /= static_cast<double>(report.paths);
+        report.absorbed /= static_cast<double>(report.paths);
+    }
     for (const Worker& w : workers) {
         report.events += w.walker.events();
         report.bad_samples += w.bad;
@@ -261,6 +267,7 @@ Rendering render(const Scene& scene, const RenderOptions& options,
     };
     m["error estimate"] = report.error > 0 ? number(report.error) : "unknown";
     m["dropped energy"] = number(report.dropped);
+    if (report.absorbed > 0) m["absorbed energy"] = number(report.absorbed);
     m["samples left out"] = std::to_string(report.bad_samples);
     m["version"] = ICESPAR_VERSION;
     return out;

@@ -38,6 +38,7 @@ struct RenderReport {
     int samples = 0;                      ///< per pixel
     std::uint64_t paths = 0, events = 0;  ///< camera paths; interface events
     double seconds = 0, error = 0;
+    double absorbed = 0;            ///< mean power per camera path that ends within stones
     double dropped = 0;             ///< mean power per camera path given up by a depth bound
     std::uint64_t bad_samples = 0;  ///< NaN or infinite, left out of the picture
     bool interrupted = false;
@@ -69,8 +70,10 @@ struct SensorRay {
 struct Traced {
     std::vector<Stokes> stokes;  ///< in units of the environment's illuminant at that wavelength
     /// What the branches given up by the bounds would have added under unit unpolarised light from
-    /// everywhere: in such a furnace stokes + dropped = (1, 0, 0, 0).
+    /// everywhere.
     std::vector<Stokes> dropped;
+    /// The same of what the stones absorbed: stokes + dropped + absorbed = (1, 0, 0, 0).
+    std::vector<Stokes> absorbed;
 };
 
 /// The full tree of every ray at one wavelength, without roulette. With neither bound given, a

@@ -29,6 +29,7 @@ public:
     void begin() {
         seen = {};
         dropped = {};
+        absorbed = {};
         meetings_ = 0;
     }
     bool admit(const Branch&) const { return true; }
@@ -38,6 +39,7 @@ public:
         return bounded_ || ++meetings_ <= unbounded_events;
     }
     void lose(const Stokes& response) { dropped += response; }
+    void absorb(const Stokes& response) { absorbed += response; }
     void see(const Emitter& light, const Stokes& s, bool) {
         see_at_wavelength(light.radiance(options_.wavelength_nm), s);
     }
@@ -54,7 +56,7 @@ public:
     }
 
     Stokes seen;
-    Stokes dropped;
+    Stokes dropped, absorbed;
 
 private:
     TraceOptions options_;
@@ -110,6 +112,7 @@ Traced trace(const Scene& scene, std::span<const SensorRay> rays, const TraceOpt
     Traced out;
     out.stokes.resize(rays.size());
     out.dropped.resize(rays.size());
+    out.absorbed.resize(rays.size());
     tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
     arena.execute([&] {
         tbb::parallel_for(std::size_t{0}, rays.size(), [&](std::size_t i) {
@@ -118,6 +121,7 @@ Traced trace(const Scene& scene, std::span<const SensorRay> rays, const TraceOpt
             w.walker.walk(first[i], options.wavelength_nm, w.collector);
             out.stokes[i] = w.collector.seen;
             out.dropped[i] = w.collector.dropped;
+            out.absorbed[i] = w.collector.absorbed;
         });
     });
     return out;

@@ -9,6 +9,7 @@
 #include "render/branch.hpp"
 #include "render/palette.hpp"
 #include "render/random.hpp"
+#include "render/stone_optics.hpp"
 #include "render/surface.hpp"
 
 namespace icespar {
@@ -18,6 +19,7 @@ namespace icespar {
 ///   admit(Branch&)                  false drops a branch; one that survives roulette gains weight
 ///   may_meet(branch)                false: the branch ends before its next interface event
 ///   lose(stokes)                    the response of a branch given up without roulette
+///   absorb(stokes)                  the response of light that ends within a stone
 ///   see(emitter, stokes, at_one)    light that arrives; at_one: only at the traced wavelength
 ///   see_at_wavelength(L, stokes)    spectral radiance L at the traced wavelength
 ///   light_point()                   where on the unit square an area light is asked
@@ -28,9 +30,7 @@ class Walker {
 public:
     Walker(const World& world, const Palette& palette, bool heaviest_first)
         : world_(world), palette_(palette), heaviest_first_(heaviest_first) {
-        const auto gems = world.scene().gems.size();
-        media_.resize(gems);
-        media_wavelength_.assign(gems, 0);
+        stones_.resize(world.scene().gems.size());
     }
 
     std::uint64_t events() const { return events_; }
@@ -41,7 +41,7 @@ public:
         push(first, guide);
         while (!branches_.empty()) {
             if (heaviest_first_) std::pop_heap(branches_.begin(), branches_.end(), lighter);
-            const Branch branch = branches_.back();
+            Branch branch = branches_.back();
             branches_.pop_back();
             if (branch.gem >= 0) {
                 follow_inside(branch, guide);
@@ -63,26 +63,29 @@ private:
         }
     }
 
-    const Medium& medium(int gem) {
-        const auto g = static_cast<std::size_t>(gem);
-        if (media_wavelength_[g] != wavelength_nm_) {
-            const Crystal& crystal = world_.scene().gems[g].crystal;
-            const double n = crystal.indices[0](wavelength_nm_);
-            media_[g] = crystal.birefringent()
-                            ? Medium::uniaxial(n, crystal.indices[1](wavelength_nm_), crystal.axis)
-                            : Medium::isotropic(n);
-            media_wavelength_[g] = wavelength_nm_;
+    const StoneOptics& optics(int gem) {
+        StoneOptics& stone = stones_[static_cast<std::size_t>(gem)];
+        if (stone.wavelength_nm() != wavelength_nm_) {
+            stone = StoneOptics(world_.scene().gems[static_cast<std::size_t>(gem)].crystal,
+                                wavelength_nm_);
         }
-        return media_[g];
+        return stone;
     }
 
-    void follow_inside(const Branch& b, Guide& guide) {
+    void follow_inside(Branch& b, Guide& guide) {
         if (!guide.may_meet(b)) return guide.lose(b.unpolarised());
         double distance = 0;
         const int facet = world_.planes(b.gem).exit(b.position, b.ray, b.facet, distance);
         if (facet < 0) return guide.lose(b.unpolarised());
+        const StoneOptics& within = optics(b.gem);
+        if (within.absorbing()) {
+            const double left = within.transmittance(
+                b.k, b.ray, b.basis[0], within.medium().plain() ? Vec3{} : b.basis[1], distance);
+            guide.absorb((1 - left) * b.unpolarised());
+            b.scale(left);
+        }
         const Stone& stone = world_.scene().gems[static_cast<std::size_t>(b.gem)].stone;
-        meet_face(b, b.position + distance * b.ray, medium(b.gem), air_,
+        meet_face(b, b.position + distance * b.ray, within.medium(), air_,
                   stone.facets[static_cast<std::size_t>(facet)].normal, b.gem, facet, guide);
     }
 
@@ -93,7 +96,7 @@ private:
         if (hit.thing >= 0) return meet_thing(b, point, hit, guide);
         if (!guide.may_meet(b)) return guide.lose(b.unpolarised());
         const Stone& stone = world_.scene().gems[static_cast<std::size_t>(hit.gem)].stone;
-        meet_face(b, point, air_, medium(hit.gem),
+        meet_face(b, point, air_, optics(hit.gem).medium(),
                   -stone.facets[static_cast<std::size_t>(hit.facet)].normal, hit.gem, hit.facet,
                   guide);
     }
@@ -106,6 +109,10 @@ private:
         incident.mode = b.gem >= 0 && from.birefringent ? b.mode : Mode::s;
         incident.k = complexified(b.k);
         incident.E = complexified(b.basis[0]);
+        if (!from.plain()) {
+            incident.E += Complex(0, 1) * complexified(b.basis[1]);
+            incident.H = from.magnetic_field(incident.k, incident.E);
+        }
         const Interface face(from, to, normal, incident);
 
         // Amplitudes of the incident waves: one mode of a crystal, or s and p of an isotropic
@@ -113,7 +120,7 @@ private:
         auto incoming = b.amplitude;
         std::size_t first = 0, last = 1;
         if (from.birefringent) {
-            first = last = b.mode == Mode::ordinary ? 0 : 1;
+            first = last = mode_index(b.mode);
             for (auto& row : incoming) row = {row[0], row[0]};
         } else {
             const Vec3& s = face.s_direction();
@@ -140,11 +147,19 @@ private:
             if (medium_out.birefringent) {
                 for (std::size_t i = 0; i < 2; ++i) {
                     if (!face.propagating(transmitted, i)) continue;
-                    child.mode = i == 0 ? Mode::ordinary : Mode::extraordinary;
-                    child.k = face.wave_vector(transmitted, i);
-                    child.ray =
-                        i == 0 ? child.k / medium_out.n_o : extraordinary_ray(medium_out, child.k);
-                    child.basis[0] = face.field_direction(transmitted, i);
+                    if (medium_out.plain()) {
+                        child.mode = i == 0 ? Mode::ordinary : Mode::extraordinary;
+                        child.k = face.wave_vector(transmitted, i);
+                        child.ray = i == 0 ? child.k / medium_out.n_o
+                                           : extraordinary_ray(medium_out, child.k);
+                        child.basis[0] = face.field_direction(transmitted, i);
+                    } else {
+                        const Wave wave = transmitted ? face.transmitted(i) : face.reflected(i);
+                        child.mode = wave.mode;
+                        child.k = real(wave.k);
+                        child.ray = wave.ray;
+                        child.basis = {real(wave.E), imag(wave.E)};
+                    }
                     for (std::size_t axis = 0; axis < 2; ++axis) {
                         child.amplitude[axis] = {
                             outgoing(face, incoming[axis], first, last, transmitted, i), 0};
@@ -254,8 +269,7 @@ private:
     bool heaviest_first_;
     Medium air_ = Medium::isotropic(1);
     double wavelength_nm_ = 0;
-    std::vector<Medium> media_;
-    std::vector<double> media_wavelength_;
+    std::vector<StoneOptics> stones_;
     std::vector<Branch> branches_;
     std::uint64_t events_ = 0;
 };

@@ -25,6 +25,40 @@ std::vector<Vec3> outermost_points(const Thing& thing) {
     return out;
 }
 
+void check_crystal(const Crystal& c, const std::string& name, std::vector<std::string>& out) {
+    if (c.indices.empty() || c.indices.size() > 3) {
+        out.push_back(name +
+                      ": a stone needs one index (isotropic), two (uniaxial) or three (biaxial)");
+    }
+    for (const IndexFunction& n : c.indices) {
+        if (!n.valid()) {
+            out.push_back(name +
+                          ": a refractive index is below 1 or not finite between 380 and 780 nm");
+        }
+    }
+    if (!(std::abs(length(c.axis) - 1) < 1e-6)) {
+        out.push_back(name + ": the optic axis is not a unit vector");
+    }
+    if (c.indices.size() == 3 && (!(std::abs(length(c.third_axis) - 1) < 1e-6) ||
+                                  !(std::abs(dot(c.axis, c.third_axis)) < 1e-6))) {
+        out.push_back(name + ": the principal axes are not perpendicular unit vectors");
+    }
+    if (!c.absorption.empty() && c.absorption.size() != c.indices.size()) {
+        out.push_back(name + ": absorption needs one spectrum for each refractive index");
+    }
+    for (const Spectrum& a : c.absorption) {
+        if (!(a.least() >= 0)) out.push_back(name + ": absorption is below 0");
+    }
+    if (c.fade && (!(c.fade->distance > 0) || !(c.fade->power >= 0) ||
+                   !(c.fade->colour.least() >= 0) || !(c.fade->colour.greatest() <= 1))) {
+        out.push_back(name + ": attenuation needs a distance above 0, a power of at least 0 and a "
+                             "colour between 0 and 1");
+    }
+    if (c.indices.size() != 2 && (c.rotation.least() != 0 || c.rotation.greatest() != 0)) {
+        out.push_back(name + ": optical activity is known for uniaxial stones only");
+    }
+}
+
 void check_gem(const Gem& gem, std::vector<std::string>& out) {
     if (gem.stone.facets.size() < 4) out.push_back(gem.name + ": this stone is not closed");
     for (const Facet& f : gem.stone.facets) {
@@ -32,18 +66,7 @@ void check_gem(const Gem& gem, std::vector<std::string>& out) {
             out.push_back(gem.name + ": facet '" + f.name + "' is not finite");
         }
     }
-    if (gem.crystal.indices.empty() || gem.crystal.indices.size() > 2) {
-        out.push_back(gem.name + ": a stone needs one index (isotropic) or two (uniaxial)");
-    }
-    for (const IndexFunction& n : gem.crystal.indices) {
-        if (!n.valid()) {
-            out.push_back(gem.name +
-                          ": a refractive index is below 1 or not finite between 380 and 780 nm");
-        }
-    }
-    const double axis = length(gem.crystal.axis);
-    if (!(std::abs(axis - 1) < 1e-6))
-        out.push_back(gem.name + ": the optic axis is not a unit vector");
+    check_crystal(gem.crystal, gem.name, out);
 }
 
 }  // namespace

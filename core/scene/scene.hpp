@@ -6,9 +6,9 @@
 #include <variant>
 #include <vector>
 
-#include "crystal/index.hpp"
 #include "math/transform.hpp"
 #include "polarisation/stokes.hpp"
+#include "scene/crystal.hpp"
 #include "spectrum/spectrum.hpp"
 #include "stone/stone.hpp"
 
@@ -25,18 +25,6 @@ struct Camera {
     Vec3 direction{0, 0, -1};
     Vec3 right{4.0 / 3, 0, 0};
     Vec3 up{0, 1, 0};
-};
-
-/// What a stone is made of. One index: isotropic. Two: uniaxial, n_o then n_e.
-struct Crystal {
-    std::vector<IndexFunction> indices{IndexFunction(1.5)};
-    Vec3 axis{0, 0, 1};  ///< unit optic axis in world coordinates (uniaxial)
-    [[nodiscard]] bool birefringent() const { return indices.size() > 1; }
-    [[nodiscard]] bool dispersive() const {
-        for (const auto& n : indices)
-            if (n.dispersive()) return true;
-        return false;
-    }
 };
 
 struct Gem {

@@ -20,6 +20,12 @@ double inverse_step(const std::vector<double>& nodes) {
     return 1 / step;
 }
 
+std::vector<double> united(const std::vector<double>& a, const std::vector<double>& b) {
+    std::vector<double> nodes;
+    std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(nodes));
+    return nodes;
+}
+
 }  // namespace
 
 Spectrum::Spectrum(double constant) : Spectrum({shortest_nm}, {constant}) {}
@@ -64,17 +70,31 @@ Spectrum operator*(double factor, const Spectrum& a) {
     return product;
 }
 
+Spectrum operator+(const Spectrum& a, const Spectrum& b) {
+    if (a.values_.empty()) return b;
+    if (b.values_.empty()) return a;
+    // What is the same at every wavelength has one node, which must not part those of the other.
+    if (a.values_.size() == 1 && b.values_.size() > 1) return b + a;
+    if (b.values_.size() == 1) {
+        Spectrum sum = a;
+        for (double& value : sum.values_) value += b.values_.front();
+        return sum;
+    }
+    std::vector<double> nodes = united(a.wavelengths_nm_, b.wavelengths_nm_), values;
+    values.reserve(nodes.size());
+    for (const double nm : nodes) values.push_back(a(nm) + b(nm));
+    return {std::move(nodes), std::move(values)};
+}
+
 Spectrum operator*(const Spectrum& a, const Spectrum& b) {
     if (a.values_.empty() || b.values_.empty()) return {};
     if (a.values_.size() == 1) return a.values_.front() * b;
     if (b.values_.size() == 1) return b.values_.front() * a;
-    std::vector<double> nodes;
-    std::set_union(a.wavelengths_nm_.begin(), a.wavelengths_nm_.end(), b.wavelengths_nm_.begin(),
-                   b.wavelengths_nm_.end(), std::back_inserter(nodes));
+    const std::vector<double> nodes = united(a.wavelengths_nm_, b.wavelengths_nm_);
     std::vector<double> values;
     values.reserve(nodes.size());
     for (const double nm : nodes) values.push_back(a(nm) * b(nm));
-    return {std::move(nodes), std::move(values)};
+    return {nodes, std::move(values)};
 }
 
 }  // namespace icespar

@@ -1,6 +1,7 @@
 // Functions of wavelength: linear between their nodes, constant beyond the first and the last.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 #include <vector>
@@ -20,6 +21,15 @@ public:
 
     [[nodiscard]] double operator()(double wavelength_nm) const;
 
+    /// The same value at every wavelength.
+    [[nodiscard]] bool flat() const { return values_.size() < 2; }
+    [[nodiscard]] double least() const {
+        return values_.empty() ? 0 : *std::min_element(values_.begin(), values_.end());
+    }
+    [[nodiscard]] double greatest() const {
+        return values_.empty() ? 0 : *std::max_element(values_.begin(), values_.end());
+    }
+
     /// The sum of f(wavelength) over the 1 nm grid of the rendered range, times 1 nm.
     template <class F>
     static double integrate(F&& f) {
@@ -28,6 +38,7 @@ public:
         return sum;
     }
 
+    friend Spectrum operator+(const Spectrum& a, const Spectrum& b);
     friend Spectrum operator*(const Spectrum& a, const Spectrum& b);
     friend Spectrum operator*(double factor, const Spectrum& a);
 
@@ -66,6 +77,8 @@ using Xyz = std::array<double, 3>;
 /// values above 1 serve for emission.
 [[nodiscard]] Spectrum reflectance_from_rgb(const Rgb& rgb);
 
+/// The sum, on the union of both sets of nodes.
+[[nodiscard]] Spectrum operator+(const Spectrum& a, const Spectrum& b);
 /// The product, on the union of both sets of nodes.
 [[nodiscard]] Spectrum operator*(const Spectrum& a, const Spectrum& b);
 [[nodiscard]] Spectrum operator*(double factor, const Spectrum& a);

@@ -60,6 +60,21 @@ inline Crystal calcite(const Vec3& axis) { return uniaxial(1.6584, 1.4864, axis)
 inline Crystal zircon(const Vec3& axis) { return uniaxial(1.925, 1.984, axis); }
 inline Crystal quartz(const Vec3& axis) { return uniaxial(1.5443, 1.5534, axis); }
 
+/// A biaxial crystal with principal axes in a random attitude.
+inline Crystal biaxial(double a, double b, double c, Random& random) {
+    Crystal crystal{{IndexFunction(a), IndexFunction(b), IndexFunction(c)}, random.direction()};
+    crystal.third_axis = random.perpendicular_to(crystal.axis);
+    return crystal;
+}
+inline Crystal topaz(Random& random) { return biaxial(1.619, 1.621, 1.627, random); }
+inline Crystal sphene(Random& random) { return biaxial(1.9, 1.907, 2.034, random); }
+/// Quartz that turns light along its axis.
+inline Crystal active_quartz(const Vec3& axis, double degrees_per_mm = 21.75) {
+    Crystal crystal = quartz(axis);
+    crystal.rotation = Spectrum(degrees_per_mm);
+    return crystal;
+}
+
 /// The same radiance from everywhere: the D65 of value 1.
 inline Environment furnace() {
     Environment e;

@@ -24,6 +24,7 @@ struct Recorder {
         return going_on;
     }
     void lose(const Stokes&) { stuck += going_on ? 1 : 0; }
+    void absorb(const Stokes&) {}
     void see(const Emitter&, const Stokes&, bool) {}
     void see_at_wavelength(double, const Stokes&) {}
     [[nodiscard]] int diffuse_rays(const Branch&) const { return 0; }

@@ -1,0 +1,48 @@
+// Media of stones, and the absorption of their waves.
+#include "render/stone_optics.hpp"
+
+#include <cmath>
+
+namespace icespar {
+namespace {
+
+Medium medium_of(const Crystal& c, double nm) {
+    const auto& n = c.indices;
+    if (n.size() == 1) return Medium::isotropic(n[0](nm));
+    if (n.size() == 3) {
+        return Medium::biaxial({n[0](nm), n[1](nm), n[2](nm)}, c.axis,
+                               cross(c.third_axis, c.axis));
+    }
+    const double rotation = c.rotation(nm);
+    if (rotation == 0) return Medium::uniaxial(n[0](nm), n[1](nm), c.axis);
+    return Medium::active(n[0](nm), n[1](nm), c.axis, rotation, nm);
+}
+
+}  // namespace
+
+StoneOptics::StoneOptics(const Crystal& c, double nm)
+    : medium_(medium_of(c, nm)), wavelength_nm_(nm), fade_(c.fade ? &*c.fade : nullptr) {
+    absorbing_ = fade_ || !c.absorption.empty();
+    if (c.absorption.empty()) return;
+    const auto strength = [&](std::size_t i) { return c.indices[i](nm) * c.absorption[i](nm); };
+    const double first = strength(0);
+    if (c.indices.size() == 3) {
+        loss_ = first * dyad(c.axis) + strength(1) * dyad(cross(c.third_axis, c.axis)) +
+                strength(2) * dyad(c.third_axis);
+    } else {
+        loss_ = RealTensor::diagonal(first, first, first);
+        if (c.indices.size() == 2) loss_ = loss_ + (strength(1) - first) * dyad(c.axis);
+    }
+}
+
+double StoneOptics::transmittance(const Vec3& k, const Vec3& ray, const Vec3& re, const Vec3& im,
+                                  double length) const {
+    // Poynting's theorem to first order: what Im eps takes over what flows, |E x H| = k . ray.
+    const double taken = medium_.symmetry == Symmetry::isotropic
+                             ? loss_.xx
+                             : dot(re, loss_ * re) + dot(im, loss_ * im);
+    const double left = taken > 0 ? std::exp(-taken / dot(k, ray) * length) : 1;
+    return fade_ ? left * fade_->transmittance(length, wavelength_nm_) : left;
+}
+
+}  // namespace icespar
