@@ -42,7 +42,8 @@ struct ConvertArguments {
 /// Reads a faceting design and writes it in another format, for another index where asked.
 int convert_command(const ConvertArguments& arguments, std::ostream& messages);
 
-/// One line for every mineral, or all that is known about one.
-int minerals_command(const std::string& name, std::ostream& out, std::ostream& messages);
+/// One line for every mineral, or all that is known about one; or the colours of all, as CSV.
+int minerals_command(const std::string& name, bool colours, std::ostream& out,
+                     std::ostream& messages);
 
 }  // namespace icespar

@@ -166,7 +166,11 @@ int main(int argc, char** argv) {
         ->check(positive);
 
     CLI::App* minerals = app.add_subcommand("minerals", "What a stone may be made of");
-    minerals->add_option("NAME", mineral, "One mineral, with its indices over the spectrum");
+    minerals->add_option("NAME", mineral,
+                         "One mineral: its indices over the spectrum, its colours, the sources");
+    bool colours = false;
+    minerals->add_flag("--colours", colours,
+                       "The colours of all minerals as CSV: white light behind 5 mm, by axis");
 
     try {
         const auto named = [&](const CLI::App* command) { return command->check_name(argv[1]); };
@@ -184,7 +188,7 @@ int main(int argc, char** argv) {
         if (check->parsed())
             return check_command(arguments.scene, arguments.allow, std::cout, std::cerr);
         if (convert->parsed()) return convert_command(conversion, std::cerr);
-        if (minerals->parsed()) return minerals_command(mineral, std::cout, std::cerr);
+        if (minerals->parsed()) return minerals_command(mineral, colours, std::cout, std::cerr);
         stone_command(file, std::cout);
         return exit_done;
     } catch (const CLI::ParseError& error) {

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "crystal/mineral.hpp"
+#include "crystal/mineral_colour.hpp"
 #include "parser/builder.hpp"
 
 namespace icespar {
@@ -54,8 +54,33 @@ const Mineral& mineral_named(const std::string& name, const Place& place) {
         known.push_back(m.name);
     }
     std::string hint = did_you_mean(name, known);
+    if (hint.empty()) {
+        for (const MineralColour& c : mineral_colours()) {
+            if (c.name == name) hint = "write mineral \"" + c.mineral + "\" colour \"" + c.name + "\"";
+        }
+    }
+    if (const auto near = nearest_minerals(name); hint.empty() && !near.empty()) {
+        hint = "did you mean '" + near.front() + "'?";
+    }
     if (hint.empty()) hint = "give its 'indices n_o, n_e' instead";
     throw Fault{place, "there is no mineral '" + printable(name) + "'", hint};
+}
+
+const MineralColour& colour_named(const Mineral& mineral, const std::string& name,
+                                  const Place& place) {
+    if (const MineralColour* colour = find_colour(mineral, name)) return *colour;
+    std::vector<std::string_view> known;
+    for (const MineralColour& c : mineral_colours()) {
+        if (c.mineral == mineral.id) known.push_back(c.name);
+    }
+    std::string hint = did_you_mean(name, known);
+    if (hint.empty() && !known.empty()) {
+        const std::string_view last = known.back();
+        known.pop_back();
+        hint = "there is " + listed(known, last);
+    }
+    if (hint.empty()) hint = "none is known of it: give 'absorption'";
+    throw Fault{place, mineral.id + " has no colour '" + printable(name) + "'", hint};
 }
 
 }  // namespace
@@ -65,7 +90,9 @@ struct Builder::CrystalWords {
     std::vector<double> indices;
     std::vector<IndexFunction> formulas;
     std::vector<double> bg, abbe;
-    std::optional<Place> axis, axes, dispersion, absorption, rotation;
+    const Mineral* mineral = nullptr;
+    std::string colour;
+    std::optional<Place> axis, axes, dispersion, absorption, rotation, coloured;
     std::array<std::optional<Spectrum>, 3> bands;  ///< by index
     bool every_index = false;                      ///< the first of them serves for all
     bool at_fault = false;
@@ -101,6 +128,14 @@ void Builder::crystal(const Block& block, InteriorLook& look) {
         throw Fault{*words.rotation, "optical activity is rendered in uniaxial stones only",
                     "give two indices, which may be equal"};
     }
+    if (words.coloured && !words.colour.empty()) {
+        if (!words.mineral) {
+            throw Fault{*words.coloured, "a colour belongs to a mineral",
+                        "write mineral \"corundum\" colour \"ruby\""};
+        }
+        look.crystal.absorption =
+            colour_named(*words.mineral, words.colour, *words.coloured).absorption;
+    }
     if (words.absorption) crystal_absorption(look.crystal, words);
     if (!look.crystal.absorption.empty() && look.crystal.absorption.size() != count) {
         throw Fault{block.place, "the absorption given before does not fit these indices",
@@ -113,7 +148,12 @@ void Builder::crystal_item(Cursor& cursor, InteriorLook& look, CrystalWords& wor
     Crystal& crystal = look.crystal;
     if (item.word == "mineral") {
         const std::string name = cursor.text("the name of a mineral");
-        if (!name.empty()) crystal.indices = mineral_named(name, cursor.place()).indices;
+        if (name.empty()) return;
+        words.mineral = &mineral_named(name, cursor.place());
+        crystal.indices = words.mineral->indices;
+    } else if (item.word == "colour" || item.word == "color") {
+        words.colour = cursor.text("the name of a colour");
+        words.coloured = cursor.place();
     } else if (item.word == "indices") {
         do {
             words.indices.push_back(index_value(cursor));
@@ -254,7 +294,7 @@ void Builder::absorption(const Block& block, CrystalWords& words) {
             cursor.take();
             continue;
         }
-        const Spectrum value(cursor.number("an absorption per mm", 0, 1e6));
+        const Spectrum value(cursor.number("an absorption per mm", 0, 10000));
         if (!named && unnamed > 2) {
             throw Fault{cursor.place(), "absorption takes one spectrum for each index", {}};
         }

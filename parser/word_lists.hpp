@@ -42,7 +42,7 @@ inline constexpr BlockWords blocks[] = {
     {"facet", "angle distance index every from name", nullptr},
     {"hull", "", &transforms},
     {"interior", "ior crystal dispersion fade_distance fade_power fade_color fade_colour", nullptr},
-    {"crystal", "mineral indices axis axes dispersion absorption rotation", nullptr},
+    {"crystal", "mineral colour color indices axis axes dispersion absorption rotation", nullptr},
     {"dispersion", "cauchy sellmeier abbe bg", nullptr},
     {"absorption", "ordinary extraordinary first second third", nullptr},
     {"sellmeier", "", nullptr},

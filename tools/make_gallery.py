@@ -58,6 +58,16 @@ lower left and above the middle, mirror a lamp at the surface and stay white."""
 Round brilliant, emerald cut, princess, trilliant; baguette, square step cut, an old brilliant with a high crown and short
 lower halves, octahedron; quartz crystal, hexagonal prism, calcite rhomb, and a block with the angles of a triclinic cell.
 Each is one line of `docs/includes.md`. The crystals below lack what cutting is for: light goes straight through them."""),
+    ("tourmaline_dichroism", RENDER, {"size": "640x480", "spp": 64}, levels, """\
+Seen from above over a white ground. On the left the optic axis points at the eye, and all light that goes straight through is
+ordinary, which this tourmaline absorbs most; on the right the axis lies across, and the half of the light that is
+polarised along it passes. Cutters therefore lay the table along the axis."""),
+    ("iolite_trichroism", RENDER, {"size": "640x480", "spp": 64}, levels, """\
+The colours of `docs/minerals.md`, mixed two by two: along X (left) those of Y and Z, in the middle of X and Z, on the right of
+X and Y. Iolite turns from violet-blue to a pale yellowish grey; tanzanite before heating from red-violet to blue and green."""),
+    ("coloured_brilliants", RENDER, {"size": "640x480", "spp": 64}, levels, """\
+Colour grows with the way that light has gone within the stone, and so differs from facet to facet. Emerald, sapphire and ruby are
+uniaxial, peridot is biaxial: their back facets are doubled."""),
 ]
 
 

@@ -19,6 +19,7 @@ struct Mineral {
     std::vector<double> dispersion_bg;   ///< published n(430.8 nm) - n(686.7 nm), in the same order
     double density = 0;                  ///< g/cm3
     std::string confidence;
+    std::string pleochroism, bands, rotation, orientation, source;  ///< in words
 };
 
 /// All minerals, in the order of the table.

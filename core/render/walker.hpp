@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <numbers>
 #include <vector>
 
 #include "render/branch.hpp"
@@ -11,6 +12,7 @@
 #include "render/random.hpp"
 #include "render/stone_optics.hpp"
 #include "render/surface.hpp"
+#include "render/twins.hpp"
 
 namespace icespar {
 
@@ -38,6 +40,7 @@ public:
     void walk(const Branch& first, double wavelength_nm, Guide& guide) {
         wavelength_nm_ = wavelength_nm;
         branches_.clear();
+        twins_.clear();
         push(first, guide);
         while (!branches_.empty()) {
             if (heaviest_first_) std::pop_heap(branches_.begin(), branches_.end(), lighter);
@@ -74,19 +77,50 @@ private:
 
     void follow_inside(Branch& b, Guide& guide) {
         if (!guide.may_meet(b)) return guide.lose(b.unpolarised());
+        if (b.twin >= 0) return follow_twins(b, guide);
         double distance = 0;
         const int facet = world_.planes(b.gem).exit(b.position, b.ray, b.facet, distance);
         if (facet < 0) return guide.lose(b.unpolarised());
         const StoneOptics& within = optics(b.gem);
-        if (within.absorbing()) {
-            const double left = within.transmittance(
-                b.k, b.ray, b.basis[0], within.medium().plain() ? Vec3{} : b.basis[1], distance);
-            guide.absorb((1 - left) * b.unpolarised());
-            b.scale(left);
-        }
+        if (within.absorbing()) absorb(b, within, distance, guide);
         const Stone& stone = world_.scene().gems[static_cast<std::size_t>(b.gem)].stone;
         meet_face(b, b.position + distance * b.ray, within.medium(), air_,
                   stone.facets[static_cast<std::size_t>(facet)].normal, b.gem, facet, guide);
+    }
+
+    void absorb(Branch& b, const StoneOptics& within, double distance, Guide& guide) {
+        const double left = within.transmittance(
+            b.k, b.ray, b.basis[0], within.medium().plain() ? Vec3{} : b.basis[1], distance);
+        guide.absorb((1 - left) * b.unpolarised());
+        b.scale(left);
+    }
+
+    /// Light along the axis of an active stone turns because its two modes keep step: while both
+    /// meet the same facet, and leave it as one wave would, they are added as fields. Elsewhere they
+    /// part for good.
+    void follow_twins(const Branch& b, Guide& guide) {
+        const Twin twin = twins_[static_cast<std::size_t>(b.twin)];
+        Branch fast = b, slow = b;
+        fast.twin = slow.twin = -1;
+        slow.mode = Mode::slow;
+        slow.k = twin.k;
+        slow.ray = twin.ray;
+        slow.basis = twin.basis;
+        for (std::size_t axis = 0; axis < 2; ++axis) {
+            fast.amplitude[axis] = {b.amplitude[axis][0], 0};
+            slow.amplitude[axis] = {b.amplitude[axis][1], 0};
+        }
+        const double response = b.diffused ? b.response.s0 : 1;
+        fast.weight = fast.power() * response;
+        slow.weight = slow.power() * response;
+        double distance = 0, other = 0;
+        const int facet = world_.planes(b.gem).exit(b.position, b.ray, b.facet, distance);
+        if (facet >= 0 &&
+            facet == world_.planes(b.gem).exit(b.position, twin.ray, b.facet, other)) {
+            if (meet_as_one(fast, slow, distance, facet, guide)) return;
+        }
+        follow_inside(fast, guide);
+        follow_inside(slow, guide);
     }
 
     void follow_outside(const Branch& b, Guide& guide) {
@@ -106,12 +140,12 @@ private:
                    const Vec3& normal, int gem, int facet, Guide& guide) {
         ++events_;
         Wave incident;
-        incident.mode = b.gem >= 0 && from.birefringent ? b.mode : Mode::s;
-        incident.k = complexified(b.k);
-        incident.E = complexified(b.basis[0]);
-        if (!from.plain()) {
-            incident.E += Complex(0, 1) * complexified(b.basis[1]);
-            incident.H = from.magnetic_field(incident.k, incident.E);
+        if (from.plain()) {
+            incident.mode = b.gem >= 0 && from.birefringent ? b.mode : Mode::s;
+            incident.k = complexified(b.k);
+            incident.E = complexified(b.basis[0]);
+        } else {
+            incident = wave_of(b, from);
         }
         const Interface face(from, to, normal, incident);
 
@@ -134,6 +168,7 @@ private:
 
         Branch child = b;
         child.position = point;
+        child.twin = -1;
         child.hits = b.hits + 1;
         child.one_wavelength =
             b.one_wavelength ||
@@ -144,7 +179,18 @@ private:
             child.gem = inside ? gem : -1;
             child.facet = facet;
             child.from = {gem, -1};
-            if (medium_out.birefringent) {
+            if (medium_out.active() && face.propagating(transmitted, 0) &&
+                face.propagating(transmitted, 1)) {
+                std::array<Wave, 2> waves{face.reflected(0), face.reflected(1)};
+                if (transmitted) waves = {face.transmitted(0), face.transmitted(1)};
+                for (std::size_t axis = 0; axis < 2; ++axis) {
+                    for (std::size_t i = 0; i < 2; ++i) {
+                        child.amplitude[axis][i] =
+                            outgoing(face, incoming[axis], first, last, transmitted, i);
+                    }
+                }
+                send_twins(child, waves, guide);
+            } else if (medium_out.birefringent) {
                 for (std::size_t i = 0; i < 2; ++i) {
                     if (!face.propagating(transmitted, i)) continue;
                     if (medium_out.plain()) {
@@ -188,6 +234,69 @@ private:
             sum += incoming[m] * face.flux_amplitude(m, transmitted, i);
         }
         return sum;
+    }
+
+    /// Both modes of a branch at a facet; false when they do not go on together.
+    bool meet_as_one(Branch& fast, Branch& slow, double distance, int facet, Guide& guide) {
+        const StoneOptics& within = optics(fast.gem);
+        const Stone& stone = world_.scene().gems[static_cast<std::size_t>(fast.gem)].stone;
+        const auto face =
+            meet_facet(within.medium(), stone.facets[static_cast<std::size_t>(facet)].normal,
+                       wave_of(fast, within.medium()), wave_of(slow, within.medium()));
+        if (!face) return false;
+        ++events_;
+        if (within.absorbing()) {
+            absorb(fast, within, distance, guide);
+            absorb(slow, within, distance, guide);
+        }
+        Branch child = fast;
+        child.position = fast.position + distance * fast.ray;
+        child.hits = fast.hits + 1;
+        child.facet = facet;
+        child.from = {fast.gem, -1};
+        // The slow mode's phase over the fast one's, where the fast one meets the facet.
+        const double k0 = 2e6 * std::numbers::pi / wavelength_nm_;
+        const Complex turn = std::polar(1.0, k0 * distance * dot(slow.k - fast.k, fast.ray));
+        const auto combine = [&](const std::array<std::array<Complex, 2>, 2>& coefficients) {
+            for (std::size_t axis = 0; axis < 2; ++axis) {
+                for (std::size_t i = 0; i < 2; ++i) {
+                    child.amplitude[axis][i] =
+                        fast.amplitude[axis][0] * coefficients[0][i] +
+                        turn * slow.amplitude[axis][0] * coefficients[1][i];
+                }
+            }
+        };
+        combine(face->reflect);
+        send_twins(child, face->reflected, guide);
+        if (!face->leaves) return true;
+        combine(face->transmit);
+        child.gem = -1;
+        child.k = face->k;
+        child.ray = normalised(child.k);
+        child.basis = face->basis;
+        send(child, guide);
+        return true;
+    }
+
+    static Wave wave_of(const Branch& b, const Medium& medium) {
+        Wave w;
+        w.mode = b.mode;
+        w.k = complexified(b.k);
+        w.E = complexified(b.basis[0]) + Complex(0, 1) * complexified(b.basis[1]);
+        w.H = medium.magnetic_field(w.k, w.E);
+        return w;
+    }
+
+    /// Two modes that leave one event, the amplitudes in the two columns.
+    void send_twins(Branch& child, const std::array<Wave, 2>& waves, Guide& guide) {
+        child.mode = waves[0].mode;
+        child.k = real(waves[0].k);
+        child.ray = waves[0].ray;
+        child.basis = {real(waves[0].E), imag(waves[0].E)};
+        child.twin = static_cast<int>(twins_.size());
+        twins_.push_back({real(waves[1].k), waves[1].ray, {real(waves[1].E), imag(waves[1].E)}});
+        send(child, guide);
+        child.twin = -1;
     }
 
     void send(Branch& child, Guide& guide) {
@@ -271,6 +380,7 @@ private:
     double wavelength_nm_ = 0;
     std::vector<StoneOptics> stones_;
     std::vector<Branch> branches_;
+    std::vector<Twin> twins_;
     std::uint64_t events_ = 0;
 };
 

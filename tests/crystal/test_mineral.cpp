@@ -1,8 +1,9 @@
 // The minerals that ship with icespar: their table against itself, and how they are found.
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <set>
 
-#include "crystal/mineral.hpp"
+#include "crystal/mineral_colour.hpp"
 #include "math/error.hpp"
 
 using namespace icespar;
@@ -90,6 +91,52 @@ TEST_CASE("a misspelt mineral has neighbours, and a gem's name its mineral", "[m
     CHECK(nearest_minerals("Amethyst").front() == "quartz");
     CHECK(nearest_minerals("kryptonite").empty());
     CHECK(nearest_minerals("").empty());
+}
+
+TEST_CASE("coloured stones have the colours that gemmologists name", "[mineral][colour]") {
+    const auto seen = [](const char* mineral, const char* colour, std::size_t axis, double mm) {
+        const MineralColour* c = find_colour(*find_mineral(mineral), colour);
+        REQUIRE(c);
+        return colour_through(c->absorption.at(axis), mm);
+    };
+    for (const std::size_t wave : {0u, 1u}) {
+        const Rgb ruby = seen("corundum", "Ruby", wave, 5), green = seen("emerald", "emerald", wave, 5);
+        CHECK(ruby[0] > 2 * ruby[1]);
+        CHECK(ruby[0] > 1.5 * ruby[2]);
+        CHECK(green[1] > 1.5 * green[0]);
+        CHECK(green[1] > green[2]);
+    }
+    // Tourmaline is far darker along its axis, where there is only the ordinary wave.
+    CHECK(seen("tourmaline", "green", 0, 5)[1] < 0.5 * seen("tourmaline", "green", 1, 5)[1]);
+    // Iolite: yellowish, violet-blue, blue.
+    CHECK(seen("iolite", "blue", 0, 5)[2] < seen("iolite", "blue", 0, 5)[0]);
+    CHECK(seen("iolite", "blue", 1, 5)[2] > 1.5 * seen("iolite", "blue", 1, 5)[1]);
+    CHECK(seen("iolite", "blue", 2, 5)[2] > 1.5 * seen("iolite", "blue", 2, 5)[0]);
+}
+
+TEST_CASE("a named colour is what white light shows through 5 mm", "[mineral][colour]") {
+    const Rgb c = colour_through(find_colour(*find_mineral("kyanite"), "blue")->absorption[2], 5);
+    const auto linear = [](int v) { return std::pow((v / 255.0 + 0.055) / 1.055, 2.4); };
+    CHECK_THAT(c[0], WithinAbs(linear(0x3c), 1e-3));
+    CHECK_THAT(c[1], WithinAbs(linear(0x64), 1e-3));
+    CHECK_THAT(c[2], WithinAbs(linear(0xc0), 1e-3));
+}
+
+TEST_CASE("every colour says where it comes from, and no light is gained", "[mineral][colour]") {
+    REQUIRE(mineral_colours().size() > 25);
+    for (const MineralColour& c : mineral_colours()) {
+        CAPTURE(c.mineral, c.name);
+        CHECK(find_colour(*find_mineral(c.mineral), c.name) == &c);
+        CHECK(!c.source.empty());
+        CHECK((c.confidence == "B" || c.confidence == "C"));
+        for (const Spectrum& s : c.absorption) CHECK(s.least() >= 0);
+    }
+    const std::string heads = "mineral,colour,first,second,third,words,source,confidence\n";
+    const auto row = [&](const std::string& text) { return parse_mineral_colours(heads + text); };
+    CHECK_THROWS_WITH(row("kryptonite,green,1/1/1,,,w,s,C"), Contains("kryptonite"));
+    CHECK_THROWS_WITH(row("diamond,blue,500/80,,,w,s,C"), Contains("line 2") && Contains("500/80"));
+    CHECK_THROWS_WITH(row("diamond,blue,#12345,,,w,s,C"), Contains("#rrggbb"));
+    CHECK_THROWS_WITH(row("calcite,blue,#123456,,,w,s,C"), Contains("takes 2 spectra"));
 }
 
 TEST_CASE("quoted fields of a table keep their commas, quotes and line ends", "[mineral][table]") {
