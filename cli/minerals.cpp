@@ -46,8 +46,7 @@ std::string seen(const Spectrum& absorption) {
     return text;
 }
 
-constexpr const char* index_names[3][3] = {
-    {"n"}, {"n_o", "n_e"}, {"n_alpha", "n_beta", "n_gamma"}};
+constexpr const char* index_names[3][3] = {{"n"}, {"n_o", "n_e"}, {"n_alpha", "n_beta", "n_gamma"}};
 
 void describe_colours(const Mineral& mineral, std::ostream& out) {
     const auto& names = index_names[mineral.indices.size() - 1];
@@ -125,8 +124,8 @@ int minerals_command(const std::string& name, bool colours, std::ostream& out,
     out << padded("mineral", 15) << padded("optic", 12) << padded("n at 589.3 nm", 26)
         << padded("g/cm3", 6) << padded("name", 38) << "colours\n";
     for (const Mineral& mineral : minerals()) {
-        out << padded(mineral.id, 15) << padded(mineral.optic, 12)
-            << padded(published(mineral), 26) << padded(number("%.4g", mineral.density), 6);
+        out << padded(mineral.id, 15) << padded(mineral.optic, 12) << padded(published(mineral), 26)
+            << padded(number("%.4g", mineral.density), 6);
         std::string known;
         for (const MineralColour& c : mineral_colours())
             if (c.mineral == mineral.id) known += (known.empty() ? "" : ", ") + c.name;

@@ -56,7 +56,8 @@ const Mineral& mineral_named(const std::string& name, const Place& place) {
     std::string hint = did_you_mean(name, known);
     if (hint.empty()) {
         for (const MineralColour& c : mineral_colours()) {
-            if (c.name == name) hint = "write mineral \"" + c.mineral + "\" colour \"" + c.name + "\"";
+            if (c.name == name)
+                hint = "write mineral \"" + c.mineral + "\" colour \"" + c.name + "\"";
         }
     }
     if (const auto near = nearest_minerals(name); hint.empty() && !near.empty()) {
@@ -277,8 +278,8 @@ void Builder::dispersion(const Block& block, CrystalWords& words) {
     }
 }
 
-/// Spectra in the order of the indices, or after the name of the wave they belong to; several for one
-/// wave add up.
+/// Spectra in the order of the indices, or after the name of the wave they belong to; several for
+/// one wave add up.
 void Builder::absorption(const Block& block, CrystalWords& words) {
     static constexpr std::array<std::string_view, 5> names{"ordinary", "extraordinary", "first",
                                                            "second", "third"};

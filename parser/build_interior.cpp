@@ -87,10 +87,11 @@ InteriorLook Builder::interior(const Block& block) {
     }
     if (fade.distance > 0) {
         if (fade.power == 0) {
-            diagnostics_.warning(fade_place,
-                                 "with a fade_power of 0 each stretch between facets loses the same "
-                                 "part, however long it is, as in POV-Ray",
-                                 "'fade_power 1000' is Beer and Lambert's law");
+            diagnostics_.warning(
+                fade_place,
+                "with a fade_power of 0 each stretch between facets loses the same "
+                "part, however long it is, as in POV-Ray",
+                "'fade_power 1000' is Beer and Lambert's law");
         }
         look.crystal.fade = fade;
     }

@@ -14,10 +14,11 @@ namespace icespar {
 /// One row of minerals.csv, whose sources and confidence are described beside it.
 struct Mineral {
     std::string id, name, formula, crystal_system, optic;  ///< optic as in "uniaxial +"
-    std::vector<IndexFunction> indices;  ///< one: isotropic; two: n_o, n_e; three: n_alpha < n_beta < n_gamma
-    std::vector<double> indices_589;     ///< the published values at 589.3 nm, in the same order
-    std::vector<double> dispersion_bg;   ///< published n(430.8 nm) - n(686.7 nm), in the same order
-    double density = 0;                  ///< g/cm3
+    std::vector<IndexFunction>
+        indices;  ///< one: isotropic; two: n_o, n_e; three: n_alpha < n_beta < n_gamma
+    std::vector<double> indices_589;    ///< the published values at 589.3 nm, in the same order
+    std::vector<double> dispersion_bg;  ///< published n(430.8 nm) - n(686.7 nm), in the same order
+    double density = 0;                 ///< g/cm3
     std::string confidence;
     std::string pleochroism, bands, rotation, orientation, source;  ///< in words
 };
@@ -25,12 +26,12 @@ struct Mineral {
 /// All minerals, in the order of the table.
 [[nodiscard]] std::span<const Mineral> minerals();
 
-/// By id or name, whatever the case; blanks and hyphens count as the underscores of an id. Nothing when
-/// there is none.
+/// By id or name, whatever the case; blanks and hyphens count as the underscores of an id. Nothing
+/// when there is none.
 [[nodiscard]] const Mineral* find_mineral(std::string_view name);
 
-/// Ids that somebody who wrote `name` may have meant, likeliest first, at most three: those a slip or
-/// two away, and those whose name holds the word ("ruby": corundum). May be empty.
+/// Ids that somebody who wrote `name` may have meant, likeliest first, at most three: those a slip
+/// or two away, and those whose name holds the word ("ruby": corundum). May be empty.
 [[nodiscard]] std::vector<std::string> nearest_minerals(std::string_view name);
 
 /// A table with the columns of minerals.csv. Throws Error with the line.

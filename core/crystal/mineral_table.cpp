@@ -13,17 +13,18 @@ IndexFunction index_function(const Table& table, const std::string& model, std::
     if (model == "formula 2") return IndexFunction::sellmeier2(std::move(c));
     if (model == "formula 4") return IndexFunction::formula4(std::move(c));
     if (model == "cauchy_AB_um2" && c.size() == 2) return IndexFunction::cauchy(c[0], c[1]);
-    table.fail(line,
-         "no dispersion model '" + model + "' with " + std::to_string(c.size()) +
-             " coefficients; there are formula 1, formula 2, formula 4 and cauchy_AB_um2 (2)");
+    table.fail(
+        line, "no dispersion model '" + model + "' with " + std::to_string(c.size()) +
+                  " coefficients; there are formula 1, formula 2, formula 4 and cauchy_AB_um2 (2)");
 }
 
 }  // namespace
 
 std::vector<Mineral> parse_minerals(std::string_view csv) {
     constexpr const char* heads[] = {
-        "id", "name", "formula", "crystal_system", "optic", "n1", "n2", "n3", "dispersion_BG",
-        "dispersion_model", "coef1", "coef2", "coef3", "density", "confidence"};
+        "id",    "name",  "formula", "crystal_system", "optic",
+        "n1",    "n2",    "n3",      "dispersion_BG",  "dispersion_model",
+        "coef1", "coef2", "coef3",   "density",        "confidence"};
     const Table table("minerals", csv, heads);
     std::vector<Mineral> found;
     for (const Table::Row& row : table.rows()) {
@@ -51,7 +52,8 @@ std::vector<Mineral> parse_minerals(std::string_view csv) {
             for (const double n : table.numbers(field(head), " ", at)) m.indices_589.push_back(n);
         for (const char* head : {"coef1", "coef2", "coef3"})
             if (auto c = table.numbers(field(head), " ", at); !c.empty())
-                m.indices.push_back(index_function(table, field("dispersion_model"), std::move(c), at));
+                m.indices.push_back(
+                    index_function(table, field("dispersion_model"), std::move(c), at));
         m.dispersion_bg = table.numbers(field("dispersion_BG"), "/ ", at);
         if (const auto density = table.numbers(field("density"), " ", at); !density.empty())
             m.density = density.front();
@@ -64,9 +66,10 @@ std::vector<Mineral> parse_minerals(std::string_view csv) {
             table.fail(at, "optic is '" + m.optic + "'; write isotropic, uniaxial or biaxial");
         if (m.indices.size() != wanted || m.indices_589.size() != wanted)
             table.fail(at, m.optic + " takes " + std::to_string(wanted) + " indices, not " +
-                         std::to_string(m.indices.size()) + "; fill n1.. and coef1..");
+                               std::to_string(m.indices.size()) + "; fill n1.. and coef1..");
         for (const auto& n : m.indices)
-            if (!n.valid()) table.fail(at, "an index below 1 or not finite; check the coefficients");
+            if (!n.valid())
+                table.fail(at, "an index below 1 or not finite; check the coefficients");
         found.push_back(std::move(m));
     }
     return found;

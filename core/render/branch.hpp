@@ -23,16 +23,16 @@ struct Branch {
     /// Unit polarisations that belong to the two columns of `amplitude`. In a birefringent gem only
     /// the first, the mode's E; in a biaxial or active one the real and the imaginary part of E.
     std::array<Vec3, 2> basis;
-    /// [sensor axis x or y][basis vector]; in a birefringent gem only column 0, of `mode`, and where
-    /// there is a twin column 1, of its mode.
+    /// [sensor axis x or y][basis vector]; in a birefringent gem only column 0, of `mode`, and
+    /// where there is a twin column 1, of its mode.
     std::array<std::array<Complex, 2>, 2> amplitude{};
     /// After a diffuse surface only the power counts: the sensor's response to unit power there.
     Stokes response;
     bool diffused = false;
     bool one_wavelength = false;  ///< the path depends on the wavelength it is traced at
-    int twin = -1;  ///< in an active gem: number of the Twin that shares the path, or -1
-    int hits = 0;                 ///< interface events so far
-    int bounces = 0;              ///< diffuse surfaces so far
+    int twin = -1;      ///< in an active gem: number of the Twin that shares the path, or -1
+    int hits = 0;       ///< interface events so far
+    int bounces = 0;    ///< diffuse surfaces so far
     double weight = 1;  ///< power that reaches the sensor's S0 from unit unpolarised radiance
 
     [[nodiscard]] double power() const {

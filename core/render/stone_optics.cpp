@@ -10,8 +10,7 @@ Medium medium_of(const Crystal& c, double nm) {
     const auto& n = c.indices;
     if (n.size() == 1) return Medium::isotropic(n[0](nm));
     if (n.size() == 3) {
-        return Medium::biaxial({n[0](nm), n[1](nm), n[2](nm)}, c.axis,
-                               cross(c.third_axis, c.axis));
+        return Medium::biaxial({n[0](nm), n[1](nm), n[2](nm)}, c.axis, cross(c.third_axis, c.axis));
     }
     const double rotation = c.rotation(nm);
     if (rotation == 0) return Medium::uniaxial(n[0](nm), n[1](nm), c.axis);

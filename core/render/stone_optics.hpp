@@ -17,8 +17,8 @@ public:
     [[nodiscard]] double wavelength_nm() const { return wavelength_nm_; }
     [[nodiscard]] bool absorbing() const { return absorbing_; }
 
-    /// What is left of the power of a wave after a length along its unit `ray`. Its unit E is re + i
-    /// im; an isotropic stone does not ask for it.
+    /// What is left of the power of a wave after a length along its unit `ray`. Its unit E is re +
+    /// i im; an isotropic stone does not ask for it.
     [[nodiscard]] double transmittance(const Vec3& k, const Vec3& ray, const Vec3& re,
                                        const Vec3& im, double length) const;
 

@@ -13,8 +13,8 @@ namespace icespar {
 struct TwinFace {
     std::array<Wave, 2> reflected;
     std::array<std::array<Complex, 2>, 2> reflect, transmit{};
-    bool leaves = false;           ///< light goes out, too: s and p of one wave
-    Vec3 k{};                      ///< of what leaves
+    bool leaves = false;          ///< light goes out, too: s and p of one wave
+    Vec3 k{};                     ///< of what leaves
     std::array<Vec3, 2> basis{};  ///< its s and p
 };
 

@@ -96,8 +96,8 @@ private:
     }
 
     /// Light along the axis of an active stone turns because its two modes keep step: while both
-    /// meet the same facet, and leave it as one wave would, they are added as fields. Elsewhere they
-    /// part for good.
+    /// meet the same facet, and leave it as one wave would, they are added as fields. Elsewhere
+    /// they part for good.
     void follow_twins(const Branch& b, Guide& guide) {
         const Twin twin = twins_[static_cast<std::size_t>(b.twin)];
         Branch fast = b, slow = b;
@@ -260,9 +260,8 @@ private:
         const auto combine = [&](const std::array<std::array<Complex, 2>, 2>& coefficients) {
             for (std::size_t axis = 0; axis < 2; ++axis) {
                 for (std::size_t i = 0; i < 2; ++i) {
-                    child.amplitude[axis][i] =
-                        fast.amplitude[axis][0] * coefficients[0][i] +
-                        turn * slow.amplitude[axis][0] * coefficients[1][i];
+                    child.amplitude[axis][i] = fast.amplitude[axis][0] * coefficients[0][i] +
+                                               turn * slow.amplitude[axis][0] * coefficients[1][i];
                 }
             }
         };

@@ -23,8 +23,8 @@ struct Fade {
 /// One index: isotropic. Two: uniaxial, n_o then n_e. Three: biaxial.
 struct Crystal {
     std::vector<IndexFunction> indices{IndexFunction(1.5)};
-    /// Unit, in world coordinates. Uniaxial: the optic axis. Biaxial: the principal axis of the first
-    /// index.
+    /// Unit, in world coordinates. Uniaxial: the optic axis. Biaxial: the principal axis of the
+    /// first index.
     Vec3 axis{0, 0, 1};
     /// Biaxial: the principal axis of the third index, unit and perpendicular to `axis`.
     Vec3 third_axis{1, 0, 0};

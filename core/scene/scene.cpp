@@ -51,8 +51,9 @@ void check_crystal(const Crystal& c, const std::string& name, std::vector<std::s
     }
     if (c.fade && (!(c.fade->distance > 0) || !(c.fade->power >= 0) ||
                    !(c.fade->colour.least() >= 0) || !(c.fade->colour.greatest() <= 1))) {
-        out.push_back(name + ": attenuation needs a distance above 0, a power of at least 0 and a "
-                             "colour between 0 and 1");
+        out.push_back(name +
+                      ": attenuation needs a distance above 0, a power of at least 0 and a "
+                      "colour between 0 and 1");
     }
     if (c.indices.size() != 2 && (c.rotation.least() != 0 || c.rotation.greatest() != 0)) {
         out.push_back(name + ": optical activity is known for uniaxial stones only");

@@ -48,9 +48,9 @@ struct Finish {
     double diffuse = 0.6, emission = 0;
 };
 
-struct PlaneShape {};  ///< y = 0 in object space
-struct BoxShape {};    ///< the unit cube 0 .. 1 in object space
-struct SphereShape {}; ///< the unit sphere in object space
+struct PlaneShape {};   ///< y = 0 in object space
+struct BoxShape {};     ///< the unit cube 0 .. 1 in object space
+struct SphereShape {};  ///< the unit sphere in object space
 struct Thing {
     std::variant<PlaneShape, BoxShape, SphereShape> shape;
     Transform to_world{};
@@ -58,10 +58,12 @@ struct Thing {
     Finish finish;
 };
 
-/// `light` is its colour at full strength as a spectrum (D65 times the scene's rgb, or an illuminant).
+/// `light` is its colour at full strength as a spectrum (D65 times the scene's rgb, or an
+/// illuminant).
 struct Light {
     Vec3 position;
-    Vec3 edge_u{}, edge_v{};  ///< an area light spans position +- edge/2; both zero for a point light
+    Vec3 edge_u{},
+        edge_v{};  ///< an area light spans position +- edge/2; both zero for a point light
     Spectrum light = white();
     double fade_distance = 0, fade_power = 0;  ///< POV-Ray's attenuation 2/(1+(d/fd)^fp); 0: none
 };
@@ -77,7 +79,7 @@ struct Disc {
 /// What surrounds the scene. Radiance from direction d (pointing away from the scene) is a linear
 /// blend over d's height along `up`: `below` at -1, `above` at +1; discs add to it.
 struct Environment {
-    Spectrum illuminant = white();  ///< radiance of value 1
+    Spectrum illuminant = white();    ///< radiance of value 1
     Spectrum below{0.0}, above{0.0};  ///< coloured values, times the illuminant
     Vec3 up{0, 1, 0};
     std::vector<Disc> discs{};
@@ -96,7 +98,8 @@ struct Scene {
 };
 
 /// Faults of a finished scene that would make a wrong picture: overlapping gems, lights and corners
-/// or poles of opaque objects inside a gem, an index below 1, numbers that are not finite. Empty when all is well.
+/// or poles of opaque objects inside a gem, an index below 1, numbers that are not finite. Empty
+/// when all is well.
 [[nodiscard]] std::vector<std::string> faults(const Scene& scene);
 
 /// The same for its camera, which must not stand inside a gem.

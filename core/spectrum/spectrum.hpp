@@ -16,7 +16,8 @@ public:
     Spectrum() = default;                ///< zero everywhere
     explicit Spectrum(double constant);  ///< the same value everywhere
 
-    /// Nodes must rise strictly in wavelength; throws Error otherwise or when a number is not finite.
+    /// Nodes must rise strictly in wavelength; throws Error otherwise or when a number is not
+    /// finite.
     Spectrum(std::vector<double> wavelengths_nm, std::vector<double> values);
 
     [[nodiscard]] double operator()(double wavelength_nm) const;
@@ -52,7 +53,8 @@ using Rgb = std::array<double, 3>;
 using Xyz = std::array<double, 3>;
 
 /// CIE 1931 2-degree observer at a wavelength, zero outside the rendered range; scaled so that the
-/// equal-energy light E at value 1 has luminance Y = 1, and so has the illuminant D65 (see `white`).
+/// equal-energy light E at value 1 has luminance Y = 1, and so has the illuminant D65 (see
+/// `white`).
 [[nodiscard]] Xyz observer(double wavelength_nm);
 
 [[nodiscard]] Rgb rgb_from_xyz(const Xyz& xyz);
@@ -66,8 +68,8 @@ using Xyz = std::array<double, 3>;
 /// equal-energy light E of luminance 1 has radiance 1 at every wavelength.
 [[nodiscard]] const Spectrum& white();
 
-/// A CIE illuminant by name ("D65", "D50", "A", "E"), scaled to luminance Y = 1. Throws Error with the
-/// names there are.
+/// A CIE illuminant by name ("D65", "D50", "A", "E"), scaled to luminance Y = 1. Throws Error with
+/// the names there are.
 [[nodiscard]] Spectrum illuminant(std::string_view name);
 /// Planck's law, scaled to luminance Y = 1; kelvin in 500 .. 50000.
 [[nodiscard]] Spectrum blackbody(double kelvin);

@@ -100,7 +100,8 @@ TEST_CASE("coloured stones have the colours that gemmologists name", "[mineral][
         return colour_through(c->absorption.at(axis), mm);
     };
     for (const std::size_t wave : {0u, 1u}) {
-        const Rgb ruby = seen("corundum", "Ruby", wave, 5), green = seen("emerald", "emerald", wave, 5);
+        const Rgb ruby = seen("corundum", "Ruby", wave, 5),
+                  green = seen("emerald", "emerald", wave, 5);
         CHECK(ruby[0] > 2 * ruby[1]);
         CHECK(ruby[0] > 1.5 * ruby[2]);
         CHECK(green[1] > 1.5 * green[0]);

@@ -54,8 +54,8 @@ TEST_CASE("a grey glass plate lets through what Beer and Lambert say", "[absorpt
     c.absorption = {Spectrum({400, 600}, {0.2, 0.6})};
     for (const double nm : {400.0, 450.0, 550.0, 700.0}) {
         const double alpha = nm >= 600 ? 0.6 : 0.2 + 0.4 * (nm - 400) / 200;
-        CHECK(difference(from_below(c, nm), {through(1.5, std::exp(-alpha * thickness)), 0, 0, 0}) <=
-              1e-14);
+        CHECK(difference(from_below(c, nm),
+                         {through(1.5, std::exp(-alpha * thickness)), 0, 0, 0}) <= 1e-14);
     }
 }
 
@@ -82,8 +82,8 @@ TEST_CASE("iolite has three colours, two to be seen along each of its axes", "[a
                                through(n[1], std::exp(-thickness * alpha(0.9, 0.2))),
                                through(n[2], std::exp(-thickness * alpha(0.3, 1.5)))};
         const auto expected = [&](int along_x, int along_y) {
-            return Stokes{(part[along_x] + part[along_y]) / 2,
-                          (part[along_x] - part[along_y]) / 2, 0, 0};
+            return Stokes{(part[along_x] + part[along_y]) / 2, (part[along_x] - part[along_y]) / 2,
+                          0, 0};
         };
         CAPTURE(nm);
         CHECK(difference(from_below(trichroic({x, y, z}), nm), expected(0, 1)) <= 1e-13);

@@ -74,9 +74,9 @@ TEST_CASE("a wedge of quartz turns light by the length of its path", "[active]")
     // The lower face is inclined by 2 degrees; rays at different places go through more or less.
     const double tilt = 2 * degree;
     const Vec3 lower{std::sin(tilt), 0, -std::cos(tilt)};
-    const std::vector<FacetPlane> planes{{{0, 0, 1}, 0, "top"},  {lower, 4, "lower"},
-                                         {{1, 0, 0}, 9, "a"},    {{-1, 0, 0}, 9, "b"},
-                                         {{0, 1, 0}, 9, "c"},    {{0, -1, 0}, 9, "d"}};
+    const std::vector<FacetPlane> planes{{{0, 0, 1}, 0, "top"}, {lower, 4, "lower"},
+                                         {{1, 0, 0}, 9, "a"},   {{-1, 0, 0}, 9, "b"},
+                                         {{0, 1, 0}, 9, "c"},   {{0, -1, 0}, 9, "d"}};
     const Scene scene =
         scene_of(Stone::from_planes(planes), active_quartz({0, 0, 1}), linear_from_below());
     TraceOptions options;

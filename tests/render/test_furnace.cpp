@@ -27,8 +27,8 @@ std::vector<Case> cases(Random& random) {
         out.push_back({"quartz " + shape, scene_of(stone, quartz(random.direction()))});
         out.push_back({"topaz " + shape, scene_of(stone, topaz(random))});
         out.push_back({"sphene " + shape, scene_of(stone, sphene(random))});
-        out.push_back({"active quartz " + shape,
-                       scene_of(stone, active_quartz(random.direction()))});
+        out.push_back(
+            {"active quartz " + shape, scene_of(stone, active_quartz(random.direction()))});
     }
     return out;
 }
@@ -38,8 +38,9 @@ double imbalance(const Scene& scene, std::span<const SensorRay> rays, const Trac
     const Traced traced = trace(scene, rays, options);
     double worst = 0;
     for (std::size_t i = 0; i < rays.size(); ++i) {
-        worst = std::max(worst, difference(traced.stokes[i] + traced.dropped[i] + traced.absorbed[i],
-                                           {1, 0, 0, 0}));
+        worst = std::max(
+            worst,
+            difference(traced.stokes[i] + traced.dropped[i] + traced.absorbed[i], {1, 0, 0, 0}));
     }
     return worst;
 }
