@@ -283,6 +283,7 @@ private:
         w.k = complexified(b.k);
         w.E = complexified(b.basis[0]) + Complex(0, 1) * complexified(b.basis[1]);
         w.H = medium.magnetic_field(w.k, w.E);
+        w.n_phase = length(b.k);
         return w;
     }
 

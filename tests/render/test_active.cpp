@@ -94,10 +94,10 @@ TEST_CASE("a wedge of quartz turns light by the length of its path", "[active]")
 
 TEST_CASE("where activity fades the picture becomes that of the crystal without it", "[active]") {
     testing::Random random(4);
-    const auto rays = random_rays(random, 20, 5, 0.6);
+    const auto rays = random_rays(random, 8, 5, 0.6);
     const Vec3 axis = random.direction();
     TraceOptions options;
-    options.max_hits = 5;
+    options.max_hits = 4;
     const Scene clear = scene_of(brilliant_stone(), quartz(axis), slope({0, 1, 0}));
     const Scene active = scene_of(brilliant_stone(), active_quartz(axis, 1e-9), slope({0, 1, 0}));
     const Traced a = trace(clear, rays, options), b = trace(active, rays, options);
