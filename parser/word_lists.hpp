@@ -68,7 +68,7 @@ inline constexpr std::string_view ours =
 
 /// Words that language.md promises for later; also unknown to POV-Ray.
 inline constexpr std::string_view ours_later =
-    "sheet head image iso cosine sc2 aset idealscope lamps analyser spectrum gaussian "
+    "sheet head image iso cosine sc2 aset idealscope lamps analyser "
     "square triangular pavement tiling text_space transform_space ovus ambient_occlusion "
     "diffuse_exponent";
 
@@ -160,7 +160,6 @@ inline constexpr Advice refused[] = {
      "splines are not there yet: compute the value with '#for' or an array"},
     {"image iso cosine sc2 aset idealscope head lamps",
      "not rendered yet: use 'uniform' or 'gradient'"},
-    {"spectrum gaussian abbe", "not read yet: use 'cauchy' or 'sellmeier', or an rgb colour"},
     {"fopen fclose read write render statistics", "a scene reads no data and writes no files"},
     {"trace inside min_extent max_extent vturbulence eval_pigment transform_space",
      "shapes cannot be asked questions here"},

@@ -6,7 +6,6 @@
 #include "scene_text.hpp"
 
 using namespace icespar;
-using namespace icespar::testing;
 using Catch::Matchers::WithinAbs;
 
 namespace {
