@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "bindings.hpp"
-#include "crystal/mineral.hpp"
+#include "crystal/mineral_colour.hpp"
 #include "math/error.hpp"
 
 namespace icespar::python {
@@ -194,6 +194,28 @@ Doubles evaluated(const std::vector<IndexFunction>& functions, const py::object&
     return result;
 }
 
+std::vector<std::string> colours_of(const Mineral& mineral) {
+    std::vector<std::string> names;
+    for (const MineralColour& c : mineral_colours())
+        if (c.mineral == mineral.id) names.push_back(c.name);
+    return names;
+}
+
+Doubles absorption_of(const Mineral& mineral, const std::string& colour,
+                      const py::object& wavelength_nm) {
+    const MineralColour* found = find_colour(mineral, colour);
+    if (!found)
+        throw Error("'" + mineral.id + "' has no colour '" + colour + "'; .colours lists them");
+    const Doubles wavelengths = real_array(wavelength_nm, "wavelength_nm");
+    std::vector<py::ssize_t> shape(wavelengths.shape(), wavelengths.shape() + wavelengths.ndim());
+    shape.push_back(static_cast<py::ssize_t>(found->absorption.size()));
+    Doubles result(shape);
+    double* out = result.mutable_data();
+    for (py::ssize_t i = 0; i < wavelengths.size(); ++i)
+        for (const Spectrum& s : found->absorption) *out++ = s(wavelengths.data()[i]);
+    return result;
+}
+
 Medium medium_of(const Mineral& mineral, double wavelength_nm, const py::object& axis,
                  const py::object& axes) {
     const Doubles n = evaluated(mineral.indices, py::float_(wavelength_nm));
@@ -351,6 +373,16 @@ void bind_minerals(py::module_& module) {
         .def_readonly("density", &Mineral::density, "g/cm3.")
         .def_readonly("confidence", &Mineral::confidence,
                       "A, B or C, as docs of the table explain.")
+        .def_readonly("dispersion_bg", &Mineral::dispersion_bg,
+                      "Published n(430.8 nm) - n(686.7 nm), in the order of the indices.")
+        .def_readonly("pleochroism", &Mineral::pleochroism, "In words.")
+        .def_readonly("rotation", &Mineral::rotation, "Optical activity, in words.")
+        .def_readonly("source", &Mineral::source, "Where the indices come from.")
+        .def_property_readonly("colours", &colours_of,
+                               "The colours that a scene may ask for, as in docs/minerals.md.")
+        .def("absorption", &absorption_of, "colour"_a, "wavelength_nm"_a,
+             "What a colour takes, in 1/mm of intensity, polarised along each principal axis, at "
+             "wavelengths of any shape, in nm: shape + (1, 2 or 3).")
         .def(
             "indices",
             [](const Mineral& m, const py::object& wavelength_nm) {

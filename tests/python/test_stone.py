@@ -84,3 +84,12 @@ def test_minerals_are_found_by_name_and_misspelt_ones_are_corrected():
     with pytest.raises(icespar.Error, match="did you mean 'zircon'"):
         icespar.mineral("zirkon")
     assert not icespar.mineral("diamond").medium().birefringent
+
+
+def test_minerals_have_colours_by_name():
+    corundum = icespar.mineral("corundum")
+    assert "ruby" in corundum.colours and icespar.mineral("calcite").colours == []
+    ruby = corundum.absorption("ruby", [550, 700])
+    assert ruby.shape == (2, 2) and ruby[0, 0] > ruby[0, 1] > ruby[1, 0] >= 0
+    with pytest.raises(icespar.Error, match="no colour 'rubi'"):
+        corundum.absorption("rubi", 550)
