@@ -111,11 +111,7 @@ const MineralColour& colour_named(const Mineral& mineral, const std::string& nam
         if (c.mineral == mineral.id) known.push_back(c.name);
     }
     std::string hint = did_you_mean(name, known);
-    if (hint.empty() && !known.empty()) {
-        const std::string_view last = known.back();
-        known.pop_back();
-        hint = "there is " + listed(known, last);
-    }
+    if (hint.empty() && !known.empty()) hint = "there is " + listed(known, " and ");
     if (hint.empty()) hint = "none is known of it: give 'absorption'";
     throw Fault{place, mineral.id + " has no colour '" + printable(name) + "'", hint};
 }
