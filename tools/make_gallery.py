@@ -65,10 +65,10 @@ polarised along it passes. Cutters therefore lay the table along the axis."""),
     ("iolite_trichroism", RENDER, {"size": "640x480", "spp": 64}, levels, """\
 The colours of `docs/minerals.md`, mixed two by two: along X (left) those of Y and Z, in the middle of X and Z, on the right of
 X and Y. Iolite turns from violet-blue to a pale yellowish grey; tanzanite before heating from red-violet to blue and green."""),
-    ("quartz_rotation", RENDER, {"size": "640x480", "spp": 64}, levels, """\
+    ("quartz_rotation", RENDER, {"size": "480x360", "spp": 32}, levels, """\
 Polarised light comes up through plates of quartz cut across the axis, then through a thick tourmaline that passes one
 polarisation. A millimetre turns yellow light by 21.75 degrees and violet by twice as much, so each thickness has its colour, and
-right and left quartz have different ones; the margin, where there is no quartz, is a dark grey. The two waves in the plate
+right and left quartz have different ones; the margin, where there is no quartz, is grey. The two waves in the plate
 are added as fields (docs/method.md): as powers all plates would be alike."""),
     ("coloured_brilliants", RENDER, {"size": "640x480", "spp": 64}, levels, """\
 Colour grows with the way that light has gone within the stone, and so differs from facet to facet. Emerald, sapphire and ruby are
