@@ -70,7 +70,7 @@ Polarised light comes up through plates of quartz cut across the axis, then thro
 polarisation. A millimetre turns yellow light by 21.75 degrees and violet by twice as much, so each thickness has its colour, and
 right and left quartz have different ones; the margin, where there is no quartz, is grey. The two waves in the plate
 are added as fields (docs/method.md): as powers all plates would be alike."""),
-    ("coloured_brilliants", RENDER, {"size": "640x480", "spp": 64}, levels, """\
+    ("coloured_brilliants", RENDER, {"size": "480x360", "spp": 32}, levels, """\
 Colour grows with the way that light has gone within the stone, and so differs from facet to facet. Emerald, sapphire and ruby are
 uniaxial, peridot is biaxial: their back facets are doubled."""),
 ]
