@@ -64,13 +64,14 @@ ordinary, which this tourmaline absorbs most; on the right the axis lies across,
 polarised along it passes. Cutters therefore lay the table along the axis."""),
     ("iolite_trichroism", RENDER, {"size": "640x480", "spp": 64}, levels, """\
 The colours of `docs/minerals.md`, mixed two by two: along X (left) those of Y and Z, in the middle of X and Z, on the right of
-X and Y. Iolite turns from violet-blue to a pale yellowish grey; tanzanite before heating from red-violet to blue and green."""),
+X and Y. Iolite goes from violet-blue to a pale blue and a pale lilac; tanzanite before heating from rose to a greyish green and to
+violet."""),
     ("quartz_rotation", RENDER, {"size": "480x360", "spp": 32}, levels, """\
 Polarised light comes up through plates of quartz cut across the axis, then through a thick tourmaline that passes one
 polarisation. A millimetre turns yellow light by 21.75 degrees and violet by twice as much, so each thickness has its colour, and
 right and left quartz have different ones; the margin, where there is no quartz, is grey. The two waves in the plate
 are added as fields (docs/method.md): as powers all plates would be alike."""),
-    ("coloured_brilliants", RENDER, {"size": "640x480", "spp": 64}, levels, """\
+    ("coloured_brilliants", RENDER, {"size": "480x360", "spp": 32}, levels, """\
 Colour grows with the way that light has gone within the stone, and so differs from facet to facet. Emerald, sapphire and ruby are
 uniaxial, peridot is biaxial: their back facets are doubled."""),
 ]

@@ -10,7 +10,7 @@
 namespace icespar {
 
 /// Amplitudes that a face turns s and p into: [outgoing s or p][incident s or p].
-using Jones = std::array<std::array<Complex, 2>, 2>;
+using Transfer = std::array<std::array<Complex, 2>, 2>;
 
 /// For pictures of the polarisation: what unit waves launched from the sensor with polarisations x
 /// and y have become, as in a Branch.
@@ -43,7 +43,7 @@ struct FullResponse {
         [[nodiscard]] Pair times(const Complex& s, const Complex& p) const {
             return {{{{s * a[0][0], p * a[0][1]}, {s * a[1][0], p * a[1][1]}}}};
         }
-        [[nodiscard]] Pair through(const Jones& j) const {
+        [[nodiscard]] Pair through(const Transfer& j) const {
             Pair out;
             for (std::size_t i = 0; i < 2; ++i) {
                 out.a[i] = {j[0][0] * a[i][0] + j[0][1] * a[i][1],
@@ -97,7 +97,7 @@ struct IntensityResponse {
         [[nodiscard]] Pair times(const Complex& s, const Complex& p) const {
             return {std::norm(s) * ss, std::norm(p) * pp, s * std::conj(p) * sp};
         }
-        [[nodiscard]] Pair through(const Jones& j) const {
+        [[nodiscard]] Pair through(const Transfer& j) const {
             const auto form = [&](const std::array<Complex, 2>& u,
                                   const std::array<Complex, 2>& v) {
                 return ss * u[0] * std::conj(v[0]) + pp * u[1] * std::conj(v[1]) +

@@ -1,7 +1,15 @@
 // Plane waves of media, and the boundary problem, over arrays of rays.
+#include <pybind11/stl.h>
+
+#include <algorithm>
 #include <array>
+#include <atomic>
+#include <exception>
+#include <set>
+#include <thread>
 
 #include "bindings.hpp"
+#include "interface/batch.hpp"
 #include "interface/interface.hpp"
 #include "interface/mueller_at_face.hpp"
 #include "math/error.hpp"
@@ -59,50 +67,6 @@ struct Waves {
     }
 };
 
-/// Both outgoing waves a ray, on one side of the face, and what they add up to.
-struct Outgoing {
-    explicit Outgoing(py::ssize_t n)
-        : waves({n, 2}),
-          amplitude(Shape{n, 2}),
-          power(Shape{n, 2}),
-          propagating(Shape{n, 2}),
-          total(Shape{n}),
-          E_total(Shape{n, 3}),
-          H_total(Shape{n, 3}) {}
-
-    Waves waves;
-    Complexes amplitude;
-    Doubles power;
-    py::array_t<bool> propagating;
-    Doubles total;
-    Complexes E_total, H_total;
-
-    void put(py::ssize_t ray, const std::array<Wave, 2>& pair, const std::array<Complex, 2>& a,
-             const std::array<double, 2>& p, double sum, const CVec3& E, const CVec3& H) {
-        for (std::size_t i = 0; i < 2; ++i) {
-            const py::ssize_t at = 2 * ray + static_cast<py::ssize_t>(i);
-            waves.put(pair[i], at);
-            amplitude.mutable_data()[at] = a[i];
-            power.mutable_data()[at] = p[i];
-            propagating.mutable_data()[at] = pair[i].propagating;
-        }
-        total.mutable_data()[ray] = sum;
-        python::put(E, ray, E_total);
-        python::put(H, ray, H_total);
-    }
-
-    [[nodiscard]] py::dict dict() const {
-        py::dict all = waves.dict();
-        all["amplitude"] = amplitude;
-        all["power"] = power;
-        all["propagating"] = propagating;
-        all["total"] = total;
-        all["E_total"] = E_total;
-        all["H_total"] = H_total;
-        return all;
-    }
-};
-
 /// Calls f(i) for each ray without the GIL; an error says at which direction.
 template <class F>
 void each_ray(std::size_t count, F&& f) {
@@ -125,26 +89,136 @@ Wave arriving(const Medium& medium, Mode mode, const Vec3& direction, By by, con
         "the energy of this wave leaves the face or runs along it; it must flow along the normal");
 }
 
+/// The arrays of a batch that were asked for, under their names. An array has a row for each ray.
+class Results {
+public:
+    Results(std::size_t count, std::set<std::string> names)
+        : count_(static_cast<py::ssize_t>(count)), names_(std::move(names)) {}
+
+    /// The waves of a ray, `waves` of them (0: one, without an axis of its own).
+    py::dict waves(const std::vector<WaveColumns*>& columns, py::ssize_t waves) {
+        py::dict all;
+        const auto each = [&](const char* name, auto type, py::ssize_t width, const auto& use) {
+            using T = decltype(type);
+            T* const data = array<T>(all, name, waves, width);
+            if (!data) return;
+            for (std::size_t i = 0; i < columns.size(); ++i) {
+                use(*columns[i], data + static_cast<py::ssize_t>(i) * width);
+            }
+        };
+        const auto n = static_cast<py::ssize_t>(columns.size());
+        each("k", Complex{}, 3, [&](WaveColumns& w, Complex* at) { w.k = vectors(at, n); });
+        each("E", Complex{}, 3, [&](WaveColumns& w, Complex* at) { w.E = vectors(at, n); });
+        each("H", Complex{}, 3, [&](WaveColumns& w, Complex* at) { w.H = vectors(at, n); });
+        each("ray", double{}, 3, [&](WaveColumns& w, double* at) {
+            w.ray = {{at, 3 * n}, {at + 1, 3 * n}, {at + 2, 3 * n}};
+        });
+        each("n_phase", double{}, 1, [&](WaveColumns& w, double* at) { w.n_phase = {at, n}; });
+        each("n_ray", double{}, 1, [&](WaveColumns& w, double* at) { w.n_ray = {at, n}; });
+        if (waves == 0) return all;
+        each("power", double{}, 1, [&](WaveColumns& w, double* at) { w.power = {at, n}; });
+        each("amplitude", Complex{}, 1, [&](WaveColumns& w, Complex* at) {
+            double* const parts = reinterpret_cast<double*>(at);
+            w.amplitude_real = {parts, 2 * n};
+            w.amplitude_imag = {parts + 1, 2 * n};
+        });
+        each("propagating", bool{}, 1, [&](WaveColumns& w, bool* at) {
+            w.propagating = at;
+            w.propagating_stride = n;
+        });
+        return all;
+    }
+
+    /// Adds what both waves of a side add up to.
+    void totals(TotalColumns& columns, py::dict& all) {
+        if (double* const at = array<double>(all, "total", 0, 1)) columns.power = {at, 1};
+        if (Complex* const at = array<Complex>(all, "E_total", 0, 3)) columns.E = vectors(at, 1);
+        if (Complex* const at = array<Complex>(all, "H_total", 0, 3)) columns.H = vectors(at, 1);
+    }
+
+private:
+    template <class T>
+    T* array(py::dict& all, const char* name, py::ssize_t waves, py::ssize_t width) const {
+        if (!names_.contains(name)) return nullptr;
+        Shape shape{count_};
+        if (waves > 0) shape.push_back(waves);
+        if (width > 1) shape.push_back(width);
+        py::array_t<T> result(shape);
+        all[name] = result;
+        return result.mutable_data();
+    }
+
+    /// Columns of complex vectors, every n-th one from `at`. A complex number is its two parts.
+    static ComplexResult vectors(Complex* at, py::ssize_t n) {
+        double* const parts = reinterpret_cast<double*>(at);
+        const auto part = [&](py::ssize_t i) { return ResultColumn{parts + i, 6 * n}; };
+        return {{part(0), part(2), part(4)}, {part(1), part(3), part(5)}};
+    }
+
+    py::ssize_t count_;
+    std::set<std::string> names_;
+};
+
+/// Shares a batch out over threads; the error of the first ray at fault is thrown.
+void solve_in_threads(const FaceBatch& faces, const BatchResult& wanted, std::size_t threads) {
+    constexpr std::size_t share = 4096;
+    const std::size_t shares = (faces.count + share - 1) / share;
+    std::vector<std::exception_ptr> errors(shares);
+    std::atomic<std::size_t> next = 0;
+    const auto work = [&] {
+        for (std::size_t i = next++; i < shares; i = next++) {
+            try {
+                solve_batch(faces, wanted, i * share, std::min(faces.count, (i + 1) * share));
+            } catch (...) {
+                errors[i] = std::current_exception();
+            }
+        }
+    };
+    {
+        std::vector<std::jthread> helpers;
+        for (std::size_t i = 1; i < std::min(threads, shares); ++i) helpers.emplace_back(work);
+        work();
+    }
+    for (const std::exception_ptr& error : errors) {
+        if (error) std::rethrow_exception(error);
+    }
+}
+
 py::tuple solve_interface(const Medium& medium1, const Medium& medium2, const Doubles& normals,
-                          const Doubles& directions, By by, Mode mode) {
-    const std::vector<Vec3> n = rows(normals, "normal"), d = rows(directions, "direction");
-    if (n.size() != d.size()) throw py::value_error("normal and direction differ in length");
-    const auto count = static_cast<py::ssize_t>(n.size());
-    Waves incident({count});
-    Outgoing reflected(count), transmitted(count);
-    each_ray(n.size(), [&](std::size_t i, py::ssize_t ray) {
-        const Wave wave = arriving(medium1, mode, d[i], by, n[i]);
-        const Interface face(medium1, medium2, n[i], wave);
-        const OutgoingWaves waves = face.waves();
-        const Coefficients c = face.solve(wave);
-        const SummedFields sum = face.summed_fields(wave);
-        incident.put(wave, ray);
-        reflected.put(ray, waves.reflected, c.reflected, c.reflected_power, c.reflected_total,
-                      sum.reflected_E, sum.reflected_H);
-        transmitted.put(ray, waves.transmitted, c.transmitted, c.transmitted_power,
-                        c.transmitted_total, sum.transmitted_E, sum.transmitted_H);
-    });
-    return py::make_tuple(incident.dict(), reflected.dict(), transmitted.dict());
+                          const Doubles& directions, By by, Mode mode, std::set<std::string> names,
+                          std::size_t threads) {
+    const auto columns = [](const Doubles& rows, const char* name) {
+        if (rows.ndim() != 2 || rows.shape(1) != 3) {
+            throw py::value_error(std::string(name) + ": shape (N, 3) is needed");
+        }
+        const double* const at = rows.data();
+        const py::ssize_t stride = rows.shape(0) == 1 ? 0 : 3;
+        return VectorColumn{{at, stride}, {at + 1, stride}, {at + 2, stride}};
+    };
+    const VectorColumn n = columns(normals, "normal"), d = columns(directions, "direction");
+    const py::ssize_t count = normals.shape(0) == 1 ? directions.shape(0) : normals.shape(0);
+    if (directions.shape(0) != 1 && directions.shape(0) != count) {
+        throw py::value_error("normal and direction differ in length");
+    }
+    const FaceBatch faces{.count = static_cast<std::size_t>(count),
+                          .from = {&medium1},
+                          .to = {&medium2},
+                          .normal = n,
+                          .direction = d,
+                          .mode = mode,
+                          .by = by};
+    Results results(faces.count, std::move(names));
+    BatchResult wanted;
+    py::dict incident = results.waves({&wanted.incident}, 0),
+             reflected = results.waves({&wanted.reflected[0], &wanted.reflected[1]}, 2),
+             transmitted = results.waves({&wanted.transmitted[0], &wanted.transmitted[1]}, 2);
+    results.totals(wanted.reflected_total, reflected);
+    results.totals(wanted.transmitted_total, transmitted);
+    {
+        const py::gil_scoped_release unlocked;
+        solve_in_threads(faces, wanted, threads);
+    }
+    return py::make_tuple(incident, reflected, transmitted);
 }
 
 py::dict waves_of(const Medium& medium, const Doubles& directions, By by) {
@@ -210,11 +284,11 @@ void bind_optics(py::module_& module) {
         .value("e", Mode::extraordinary)
         .value("fast", Mode::fast)
         .value("slow", Mode::slow);
-    module.def(
-        "solve_interface", &solve_interface, "medium1"_a, "medium2"_a, "normal"_a, "direction"_a,
-        "by"_a, "mode"_a,
-        "The boundary problem for unit (N, 3) normals and directions: incident, reflected and "
-        "transmitted waves as dictionaries of arrays.");
+    module.def("solve_interface", &solve_interface, "medium1"_a, "medium2"_a, "normal"_a,
+               "direction"_a, "by"_a, "mode"_a, "names"_a, "threads"_a,
+               "The boundary problem for unit (N, 3) or (1, 3) normals and directions: incident, "
+               "reflected and "
+               "transmitted waves as dictionaries of the arrays named.");
     module.def("mueller_at_face", &muellers_at_face, "medium1"_a, "medium2"_a, "normal"_a,
                "direction"_a, "by"_a, "mode"_a,
                "Mueller matrices of the waves that leave, as a dictionary of arrays.");

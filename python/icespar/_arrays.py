@@ -20,15 +20,18 @@ def vectors(name: str, value: ArrayLike) -> NDArray[np.float64]:
         raise ValueError(f"{name}: shape {array.shape} is neither (3,) nor (N, 3)")
     require_memory(name, array.size // 3, 48)
     array = array.astype(np.float64)
-    bad = ~np.isfinite(array).all(axis=-1)
-    if bad.any():
-        raise ValueError(f"{_element(name, array, bad)} is not finite")
+    finite = np.isfinite(array)
+    if not finite.all():
+        raise ValueError(f"{_element(name, array, ~finite.all(axis=-1))} is not finite")
     return array
 
 
 def directions(name: str, value: ArrayLike) -> NDArray[np.float64]:
     """`vectors`, none of them zero, made unit vectors."""
     array = vectors(name, value)
+    squared = np.einsum("...i,...i", array, array)
+    if squared.size == 0 or (squared.min() > 1e-200 and squared.max() < 1e200):
+        return array / np.sqrt(squared)[..., None]
     largest = np.abs(array).max(axis=-1, keepdims=True, initial=0)
     zero = largest[..., 0] == 0
     if zero.any():
@@ -37,13 +40,18 @@ def directions(name: str, value: ArrayLike) -> NDArray[np.float64]:
     return scaled / np.linalg.norm(scaled, axis=-1, keepdims=True)
 
 
-def together(**arrays: NDArray[np.float64]) -> list[NDArray[np.float64]]:
-    """All broadcast to (N, 3), contiguous; ValueError that names the shapes."""
+def rows_of(**arrays: NDArray[np.float64]) -> int:
+    """N, to which all broadcast; ValueError that names the shapes."""
     lengths = {len(array) for array in arrays.values() if array.ndim == 2} - {1}
     if len(lengths) > 1:
         shapes = ", ".join(f"{name} {array.shape}" for name, array in arrays.items())
         raise ValueError(f"shapes do not broadcast: {shapes}")
-    n = lengths.pop() if lengths else 1
+    return lengths.pop() if lengths else 1
+
+
+def together(**arrays: NDArray[np.float64]) -> list[NDArray[np.float64]]:
+    """All broadcast to (N, 3), contiguous; ValueError that names the shapes."""
+    n = rows_of(**arrays)
     return [np.ascontiguousarray(np.broadcast_to(array, (n, 3))) for array in arrays.values()]
 
 

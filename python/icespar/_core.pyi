@@ -242,6 +242,8 @@ def solve_interface(
     direction: NDArray[np.float64],
     by: By,
     mode: Mode,
+    names: set[str],
+    threads: int,
 ) -> tuple[dict[str, np.ndarray], dict[str, np.ndarray], dict[str, np.ndarray]]: ...
 def mueller_at_face(
     medium1: Medium,

@@ -5,6 +5,8 @@ normals broadcast against each other. Media, `by` and `mode` are one for a call 
 Angles are in radians.
 """
 
+import os
+from collections.abc import Collection
 from dataclasses import dataclass
 from typing import Literal
 
@@ -12,7 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._arrays import directions, require_memory, together
+from ._arrays import directions, require_memory, rows_of
 from ._core import Medium
 
 _MODES = {
@@ -46,7 +48,7 @@ class Modes:
 
 @dataclass(frozen=True)
 class Incident:
-    """The wave that meets the face; N rays."""
+    """The wave that meets the face; N rays. Arrays left out by `only` are None."""
 
     k: NDArray[np.float64] | NDArray[np.complex128]  #: wave vector in units of w/c, (N, 3); complex where medium1 absorbs
     ray: NDArray[np.float64]  #: unit direction of the energy flow, (N, 3)
@@ -64,6 +66,7 @@ class Outgoing:
     An evanescent wave has complex k, `power` 0 and `propagating` False. `amplitude` times `E` is the
     field that an incident E of norm 1 makes. Each wave's fields are ill-defined where the two waves
     become one (optic axes, merging evanescent waves); `total`, `E_total` and `H_total` never are.
+    Arrays left out by `only` are None.
     """
 
     k: NDArray[np.complex128]  #: wave vectors in units of w/c, (N, 2, 3)
@@ -79,6 +82,9 @@ class Outgoing:
     total: NDArray[np.float64]  #: both waves' normal flow at the face over the incident one, (N,); where the medium absorbs the two interfere, and it is not the sum of their powers
     E_total: NDArray[np.complex128]  #: sum of both electric fields at the face, (N, 3)
     H_total: NDArray[np.complex128]  #: sum of both magnetic fields at the face, (N, 3)
+
+
+_ARRAYS = {name for name in Outgoing.__dataclass_fields__ if name != "mode"}
 
 
 @dataclass(frozen=True)
@@ -108,6 +114,8 @@ def interface(
     by: Literal["wave_normal", "ray"] = "wave_normal",
     *,
     mode: Literal["s", "p", "o", "e", "ordinary", "extraordinary", "fast", "slow"],
+    only: Collection[str] | None = None,
+    threads: int | None = None,
 ) -> Interface:
     """The plane wave of `mode` in `medium1`, along `direction`, meets a plane face of `medium2`.
 
@@ -122,23 +130,46 @@ def interface(
     The problem is solved exactly: tangential k is conserved, tangential E and H match. For lossless media
     the four powers add up to 1.
 
+    `only` names the arrays that are wanted, such as {"power", "ray"}: the others are None, and cost
+    neither time nor memory. `threads` bounds the processors at work; all, if None. They change no bit.
+
     Raises ValueError, which names the argument and its element, for a zero or non-finite vector, shapes
-    that do not broadcast, a mode that the medium has not, and a wave whose energy leaves the face.
+    that do not broadcast, a mode that the medium has not, a name in `only` that is none, and a wave whose
+    energy leaves the face.
     """
     for name, medium in (("medium1", medium1), ("medium2", medium2)):
         if not isinstance(medium, Medium):
             raise TypeError(f"{name}: an icespar.Medium is needed, not {type(medium).__name__}")
     core_by, core = core_mode(medium1, by, mode)
-    n, d = together(normal=directions("normal", normal), direction=directions("direction", direction))
-    require_memory("direction", len(d), _BYTES_A_RAY)
-    incident, reflected, transmitted = _core.solve_interface(medium1, medium2, n, d, core_by, core)
-    if not medium1.absorbing:
-        incident["k"] = incident["k"].real.copy()
-    return Interface(
-        Incident(mode=np.broadcast_to(core.name, len(n)), **incident),
-        Outgoing(mode=np.broadcast_to(names_of_modes(medium1), (len(n), 2)), **reflected),
-        Outgoing(mode=np.broadcast_to(names_of_modes(medium2), (len(n), 2)), **transmitted),
+    names = _wanted(only)
+    if threads is not None and threads < 1:
+        raise ValueError(f"threads: {threads} is not a positive number; leave it out to use all processors")
+    vectors = {"normal": directions("normal", normal), "direction": directions("direction", direction)}
+    count = rows_of(**vectors)
+    require_memory("direction", count, _BYTES_A_RAY if only is None else 100 * (1 + len(names)))
+    n, d = (np.atleast_2d(array) for array in vectors.values())
+    incident, reflected, transmitted = _core.solve_interface(
+        medium1, medium2, n, d, core_by, core, names, threads or os.cpu_count() or 1
     )
+    if "k" in names and not medium1.absorbing:
+        incident["k"] = incident["k"].real.copy()
+    none = dict.fromkeys(_ARRAYS - names)
+    lacking = {name: None for name in none if name in Incident.__dataclass_fields__}
+    return Interface(
+        Incident(mode=np.broadcast_to(core.name, count), **incident, **lacking),
+        Outgoing(mode=np.broadcast_to(names_of_modes(medium1), (count, 2)), **reflected, **none),
+        Outgoing(mode=np.broadcast_to(names_of_modes(medium2), (count, 2)), **transmitted, **none),
+    )
+
+
+def _wanted(only: Collection[str] | None) -> set[str]:
+    """The names of arrays that `only` asks for; ValueError for one that is none."""
+    if only is None:
+        return set(_ARRAYS)
+    names = {only} if isinstance(only, str) else set(only)
+    if unknown := names - _ARRAYS:
+        raise ValueError(f"only: {sorted(unknown, key=repr)[0]!r} is not an array of the answer; choose from {', '.join(sorted(_ARRAYS))}")
+    return names
 
 
 def modes(medium: Medium, direction: ArrayLike, by: Literal["wave_normal", "ray"] = "wave_normal") -> Modes:

@@ -203,3 +203,46 @@ def test_a_homogeneous_wave_of_an_absorbing_medium_has_a_complex_wave_vector():
     w = icespar.interface(RUBY, AIR, normal=(0, 0, 1), direction=slanted([0, 10]), mode="o")
     np.testing.assert_allclose(w.incident.k, (1.768 + 3e-3j) * slanted([0, 10]), atol=1e-15)
     assert icespar.interface(CALCITE, AIR, (0, 0, 1), slanted(5), mode="o").incident.k.dtype == float
+
+
+def many(count=20000):
+    """Directions that meet a face along z."""
+    rng = np.random.default_rng(3)
+    d = rng.normal(size=(count, 3))
+    d[:, 2] = np.abs(d[:, 2]) + 0.2
+    return d
+
+
+@pytest.mark.parametrize("medium", MEDIA[:4])
+def test_arrays_asked_for_alone_are_what_they_are_among_all(medium):
+    d = many(3000)
+    every = icespar.interface(CALCITE, medium, (0, 0, 1), d, mode="e")
+    some = icespar.interface(CALCITE, medium, (0, 0, 1), d, mode="e", only=("power", "ray", "total"))
+    for a, b in ((every.reflected, some.reflected), (every.transmitted, some.transmitted)):
+        np.testing.assert_allclose(b.power, a.power, atol=1e-13)
+        np.testing.assert_allclose(b.total, a.total, atol=1e-13)
+        np.testing.assert_allclose(b.ray, a.ray, atol=1e-11)
+        assert b.k is None and b.E is None and b.E_total is None and b.n_ray is None
+    assert some.incident.k is None and some.incident.ray.shape == (3000, 3)
+
+
+def test_threads_change_no_bit():
+    d = many()
+    one = icespar.interface(AIR, CALCITE, (0, 0, 1), d, mode="p", threads=1)
+    five = icespar.interface(AIR, CALCITE, (0, 0, 1), d, mode="p", threads=5)
+    for name in ("k", "ray", "E", "H", "amplitude", "power", "E_total"):
+        np.testing.assert_array_equal(getattr(one.transmitted, name), getattr(five.transmitted, name))
+
+
+def test_an_error_names_the_first_ray_at_fault():
+    d = many()
+    d[[7000, 15000]] *= -1
+    with pytest.raises(ValueError, match=r"direction\[7000\]"):
+        icespar.interface(AIR, GLASS, (0, 0, 1), d, mode="s")
+
+
+def test_unknown_arrays_and_threads_are_refused():
+    with pytest.raises(ValueError, match="only: 'powers' is not an array of the answer"):
+        icespar.interface(AIR, GLASS, (0, 0, 1), (0, 0, 1), mode="s", only={"powers"})
+    with pytest.raises(ValueError, match="threads: 0"):
+        icespar.interface(AIR, GLASS, (0, 0, 1), (0, 0, 1), mode="s", threads=0)
