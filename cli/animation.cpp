@@ -57,7 +57,7 @@ std::string read_frames(const std::string& text, Animation& animation) {
     }
     if (!plain || !rest.empty() || a.first < 0 || a.last < a.first || a.of < a.last ||
         a.of > most || a.first < a.from) {
-        return "'" + text +
+        return "--frames: '" + text +
                "' is not A-B, two frames of 0 to 1000000, or A-B/N for a part of 1 to N";
     }
     animation = a;
@@ -70,7 +70,7 @@ std::string read_clock(const std::string& text, double& from, double& to, bool& 
     two = plain && take(rest, ',');
     if (two) plain = take(rest, to);
     if (!plain || !rest.empty() || !std::isfinite(from) || (two && !std::isfinite(to)))
-        return "'" + text + "' is not a number such as 0.5, nor two such as 0,1";
+        return "--clock: '" + text + "' is not a number such as 0.5, nor two such as 0,1";
     return {};
 }
 

@@ -19,7 +19,7 @@ for target in scene asc gem gcs; do
   dictionary=()
   [ "$target" != scene ] || dictionary=(-dict="$root/tests/fuzz/spar.dict")
   nice "$build/tests/fuzz/fuzz_$target" "${dictionary[@]}" -max_total_time="$seconds" -timeout=5 \
-    -rss_limit_mb=1024 -max_len=16384 -print_final_stats=1 -verbosity=0 \
+    -rss_limit_mb=1024 -max_len=65536 -print_final_stats=1 -verbosity=0 \
     -artifact_prefix="$build/found/$target-" "$build/corpus/$target" || status=1
 done
 exit $status
