@@ -312,8 +312,7 @@ void Builder::design(const Place& place, const std::string& file, Solid& solid) 
     } catch (const Error& error) {
         // By the name that the scene gives it, not by its place on this machine.
         std::string message = error.what();
-        if (const std::string path = found.path->string(); message.starts_with(path))
-            message.replace(0, path.size(), printable(file));
+        if (message.starts_with(path)) message.replace(0, path.size(), printable(file));
         throw Fault{place, message, {}};
     }
 }
