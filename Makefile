@@ -2,7 +2,7 @@
 SHELL := /bin/bash
 .SHELLFLAGS := -euo pipefail -c
 .DEFAULT_GOAL := help
-.PHONY: help deps build demo test bench gallery wheel clean
+.PHONY: help deps build demo test bench accuracy gallery wheel clean
 
 VENV := .venv
 BIN := $(VENV)/bin
@@ -17,6 +17,7 @@ help:
 	@echo 'make build   the program build/icespar, and .venv in which "import icespar" works'
 	@echo 'make test    build and run the C++ and the Python tests'
 	@echo 'make bench   error against time, and the interface at length, into bench/results'
+	@echo 'make accuracy measure the interface along every axis of stress, and draw docs/accuracy anew'
 	@echo 'make gallery render the pictures of docs/gallery.md anew'
 	@echo 'make wheel   a Python wheel in dist/'
 	@echo 'make clean   remove what was built (.venv and out/ stay)'
@@ -76,6 +77,12 @@ bench: build $(VENV)/.installed-test
 	cmake --build --preset release --target icespar_bench
 	@for program in $(basename $(notdir $(wildcard bench/*.cpp))); do echo "$$program"; build/tests/$$program; done
 	$(BIN)/python bench/run.py
+
+accuracy: build $(VENV)/.installed-test
+	cmake --build --preset release --target interface_sweeps
+	@mkdir -p bench/results
+	build/tests/interface_sweeps > bench/results/interface_sweeps.csv
+	$(BIN)/python tools/plot_accuracy.py bench/results/interface_sweeps.csv docs/accuracy
 
 gallery: build $(VENV)/.installed-test
 	$(BIN)/python tools/make_gallery.py

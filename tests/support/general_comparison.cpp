@@ -240,4 +240,22 @@ GeneralDiscrepancy compare(const GeneralCase& c) {
     return worst;
 }
 
+GeneralExtent extent(const GeneralCase& c, const GeneralCase& moved) {
+    const Solved right = truth(c);
+    Solved found = core(c), changed = truth(moved);
+    align(found, right);
+    align(changed, right);
+    GeneralExtent out;
+    const auto largest = [&](const Solved& other, double& of_totals, double& of_waves) {
+        const auto a = quantities(right, other), b = quantities(other, right);
+        for (std::size_t i = 0; i < a.size(); ++i) {
+            double& place = a[i].name.find("total") != std::string::npos ? of_totals : of_waves;
+            place = std::max(place, distance(a[i], b[i]) / scale(a[i]));
+        }
+    };
+    largest(found, out.error_of_totals, out.error_of_waves);
+    largest(changed, out.change_of_totals, out.change_of_waves);
+    return out;
+}
+
 }  // namespace icespar::testing
