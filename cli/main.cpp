@@ -3,6 +3,7 @@
 #include <charconv>
 #include <cmath>
 #include <iostream>
+#include <map>
 
 #include "cli/commands.hpp"
 #include "cli/stone.hpp"
@@ -51,6 +52,9 @@ std::string folder(const std::string& text) {
     return "there is no folder '" + text + "'";
 }
 
+const std::map<std::string, Engine> engines{
+    {"auto", Engine::automatic}, {"rays", Engine::rays}, {"beams", Engine::beams}};
+
 constexpr auto render_footer =
     "--error, --time and --spp may be given together: the bound that is reached first ends the\n"
     "render. Ctrl-C ends it too, and saves what is there; a second Ctrl-C saves nothing.\n"
@@ -95,6 +99,12 @@ int main(int argc, char** argv) {
                      "Keep N spectral bands in the .exr, 1 to 400")
         ->type_name("N")
         ->check(whole(1, 400));
+    render
+        ->add_option("--engine", arguments.options.engine,
+                     "rays: samples; beams: whole pixels through stones (docs/method.md);\n"
+                     "auto: beams where there is a stone (default)")
+        ->type_name("rays|beams|auto")
+        ->transform(CLI::CheckedTransformer(engines));
     render
         ->add_option("--error", arguments.options.error,
                      "Stop when the picture's estimated relative error is below E")

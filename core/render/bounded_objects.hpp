@@ -8,10 +8,6 @@
 
 namespace icespar {
 
-struct Bounds {
-    Vec3 low, high;
-};
-
 class BoundedObjects {
 public:
     BoundedObjects(const World& world, const std::vector<Bounds>& bounds);

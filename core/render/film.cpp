@@ -49,14 +49,14 @@ Film::Film(int width, int height, int bands, bool stokes)
     samples_.assign(pixels, 0);
 }
 
-bool Film::add(int x, int y, const std::vector<double>& sample) {
+bool Film::add(int x, int y, const std::vector<double>& sample, int weight) {
     for (const double v : sample) {
         if (!(std::abs(v) < brightest)) return false;
     }
     const std::size_t p = pixel(x, y);
     double* sums = &sums_[p * sample.size()];
-    for (std::size_t i = 0; i < sample.size(); ++i) sums[i] += sample[i];
-    ++samples_[p];
+    for (std::size_t i = 0; i < sample.size(); ++i) sums[i] += weight * sample[i];
+    samples_[p] += weight;
     return true;
 }
 
@@ -65,7 +65,9 @@ void Film::end_pass(int x, int y) {
     Spread& s = spread_[p];
     const double total =
         luminance(&sums_[p * static_cast<std::size_t>(channels() * components_)], components_);
-    s.squares += (total - s.before) * (total - s.before);
+    const int weight = samples_[p] - s.samples;
+    if (weight == 0) return;
+    s.squares += (total - s.before) * (total - s.before) / weight;
     s.before = total;
     s.samples = samples_[p];
     ++s.passes;
@@ -76,11 +78,11 @@ double Film::error() const {
     for (std::size_t p = 0; p < spread_.size(); ++p) {
         const Spread& s = spread_[p];
         const double passes = s.passes, samples = s.samples;
-        if (passes < 2 || samples == 0) return 0;
+        if (passes < 2) return 0;
         mean += s.before / samples;
-        // Of the sum over all passes, then of the mean.
-        const double of_sum = (s.squares - s.before * s.before / passes) * passes / (passes - 1);
-        variance += std::max(0.0, of_sum) / (samples * samples);
+        // A pass of weight w has the variance of one sample over w.
+        const double of_one = (s.squares - s.before * s.before / samples) / (passes - 1);
+        variance += std::max(0.0, of_one) / samples;
     }
     const auto pixels = static_cast<double>(spread_.size());
     return mean > 0 ? std::sqrt(variance / pixels) / (mean / pixels) : 0;

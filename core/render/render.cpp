@@ -9,110 +9,26 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <optional>
 #include <sstream>
 
 #include "math/error.hpp"
+#include "render/beam_engine.hpp"
 #include "render/film.hpp"
+#include "render/sampler.hpp"
 #include "render/walker.hpp"
 
 namespace icespar {
 namespace {
 
-/// A branch that carries less of the pixel's light than this plays roulette (docs/method.md).
-constexpr double roulette_weight = 0.1;
-/// Outside a stone it costs one look at the surroundings, so it is followed for less.
-constexpr double outside_weight = 0.01;
-/// Light that is all but caught in a stone, or in a white room, ends by chance, too.
-constexpr int patient_hits = 256, patient_bounces = 8;
-constexpr double patience = 0.9;
-
 constexpr int tile = 16;
 constexpr int samples_per_pass = 8;
 constexpr int default_samples = 64;
 
-/// Follows branches by roulette and adds what they see to one sample of a pixel.
-class Sampler {
-public:
-    Sampler(const Film& film, const WavelengthSampler& wavelengths, int max_hits)
-        : bands_(film.bands()),
-          components_(film.components()),
-          max_hits_(max_hits),
-          wavelengths_(wavelengths),
-          sample(static_cast<std::size_t>(film.channels() * film.components())) {}
-
-    void begin(std::uint64_t seed, double u) {
-        random_ = Random(seed);
-        draw_ = wavelengths_.draw(u);
-        std::fill(sample.begin(), sample.end(), 0.0);
-    }
-    [[nodiscard]] double wavelength_nm() const { return draw_.wavelength_nm; }
-
-    bool admit(Branch& b) {
-        double survival = std::min(1.0, b.weight / (b.gem < 0 ? outside_weight : roulette_weight));
-        if (b.hits > patient_hits || b.bounces > patient_bounces)
-            survival = std::min(survival, patience);
-        if (survival >= 1) return true;
-        if (!(random_.uniform() < survival)) return false;
-        if (b.diffused) {
-            b.response = (1 / survival) * b.response;
-            b.weight /= survival;
-        } else {
-            b.scale(1 / survival);
-        }
-        return true;
-    }
-    [[nodiscard]] bool may_meet(const Branch& b) const {
-        return max_hits_ == 0 || b.hits < max_hits_;
-    }
-    void lose(const Stokes& response) { dropped += response.s0; }
-    void absorb(const Stokes& response) { absorbed += response.s0; }
-
-    void see(const Emitter& light, const Stokes& seen, bool one_wavelength) {
-        if (one_wavelength) return see_at_wavelength(light.radiance(draw_.wavelength_nm), seen);
-        for (int c = 0; c < 3; ++c) add(c, light.rgb[static_cast<std::size_t>(c)], seen);
-        for (int b = 0; b < bands_.count; ++b) {
-            add(3 + b, light.bands[static_cast<std::size_t>(b)], seen);
-        }
-    }
-    void see_at_wavelength(double radiance, const Stokes& seen) {
-        for (int c = 0; c < 3; ++c) add(c, radiance * draw_.rgb[static_cast<std::size_t>(c)], seen);
-        if (bands_.count > 0) {
-            add(3 + bands_.of(draw_.wavelength_nm), radiance * draw_.per_density / bands_.width(),
-                seen);
-        }
-    }
-    [[nodiscard]] int diffuse_rays(const Branch&) const { return 1; }
-    std::pair<double, double> light_point() { return diffuse_point(0); }
-    std::pair<double, double> diffuse_point(int) {
-        const double u = random_.uniform();
-        return {u, random_.uniform()};
-    }
-
-private:
-    void add(int channel, double value, const Stokes& seen) {
-        double* at = &sample[static_cast<std::size_t>(channel * components_)];
-        at[0] += value * seen.s0;
-        if (components_ == 4) {
-            at[1] += value * seen.s1;
-            at[2] += value * seen.s2;
-            at[3] += value * seen.s3;
-        }
-    }
-
-    Bands bands_;
-    int components_, max_hits_;
-    const WavelengthSampler& wavelengths_;
-    WavelengthSampler::Draw draw_{};
-    Random random_{0};
-
-public:
-    std::vector<double> sample;
-    double dropped = 0, absorbed = 0;
-};
-
 struct Worker {
     Sampler sampler;
     Walker<Sampler> walker;
+    std::optional<BeamEngine> beams;
     std::uint64_t bad = 0;
 };
 
@@ -142,6 +58,25 @@ void check(const Scene& scene, const RenderOptions& o) {
     for (const auto& problems : {faults(scene), camera_faults(scene)}) {
         if (!problems.empty()) throw Error(problems.front());
     }
+    if (const std::string obstacle = BeamScene::obstacle(scene);
+        o.engine == Engine::beams && !obstacle.empty()) {
+        throw Error("beams cannot make this picture: " + obstacle + "; choose the engine rays");
+    }
+}
+
+/// Samples in the next pass. Rays go by passes of eight; against the clock the first goes by single
+/// samples, to have a whole picture soon. Error falls faster with one long pass of beams than with
+/// several short ones, but only two passes tell how far they may be trusted.
+int next_pass(bool beams, int done, int wanted, bool clock) {
+    int count = samples_per_pass;
+    if (clock && done < samples_per_pass) {
+        count = 1;
+    } else if (beams && wanted > 0) {
+        count = done == 0 ? std::max(1, wanted / 4) : wanted;
+    } else if (beams) {
+        count = std::max(samples_per_pass, 2 * done);
+    }
+    return wanted > 0 ? std::min(count, wanted - done) : count;
 }
 
 }  // namespace
@@ -160,10 +95,16 @@ Rendering render(const Scene& scene, const RenderOptions& options,
     const World world(scene);
     const Palette palette(scene, options.bands);
     const WavelengthSampler wavelengths(options.bands > 0);
+    std::optional<BeamScene> beams;
+    if (options.engine != Engine::rays && BeamScene::obstacle(scene).empty()) {
+        beams.emplace(world, options.width, options.height);
+    }
     Film film(options.width, options.height, options.bands, options.stokes);
     tbb::enumerable_thread_specific<Worker> workers([&] {
-        return Worker{Sampler(film, wavelengths, scene.max_trace_level),
-                      Walker<Sampler>(world, palette, false)};
+        Worker w{Sampler(film, wavelengths, scene.max_trace_level),
+                 Walker<Sampler>(world, palette, false), std::nullopt};
+        if (beams) w.beams.emplace(*beams, palette, options.stokes);
+        return w;
     });
     tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
 
@@ -181,10 +122,23 @@ Rendering render(const Scene& scene, const RenderOptions& options,
                 const std::uint64_t pixel =
                     mixed(mixed(options.seed) + static_cast<std::uint64_t>(y) * 65536u +
                           static_cast<std::uint64_t>(x));
+                const int stone = beams ? beams->stone_at(x, y) : BeamScene::by_rays;
+                if (stone != BeamScene::by_rays) {
+                    const auto number = static_cast<std::uint64_t>(first_sample);
+                    w.sampler.dropped = w.sampler.absorbed = 0;
+                    w.beams->pixel(x, y, stone, count, mixed(pixel ^ mixed(number)), w.sampler);
+                    if (!film.add(x, y, w.sampler.sample, count)) ++w.bad;
+                    dropped[static_cast<std::size_t>(index)] += count * w.sampler.dropped;
+                    absorbed[static_cast<std::size_t>(index)] += count * w.sampler.absorbed;
+                    paths[static_cast<std::size_t>(index)] += static_cast<std::uint64_t>(count);
+                    film.end_pass(x, y);
+                    continue;
+                }
                 for (int i = first_sample; i < first_sample + count; ++i) {
                     const auto number = static_cast<std::uint64_t>(i);
                     const CameraSample at = camera_sample(pixel, number);
-                    w.sampler.begin(mixed(pixel ^ mixed(number)), at.wavelength);
+                    w.sampler.begin(mixed(pixel ^ mixed(number)));
+                    w.sampler.at_wavelength(at.wavelength);
                     w.sampler.dropped = w.sampler.absorbed = 0;
                     w.walker.walk(camera_branch(scene.camera, (x + at.x) / options.width,
                                                 (y + at.y) / options.height),
@@ -194,7 +148,7 @@ Rendering render(const Scene& scene, const RenderOptions& options,
                     absorbed[static_cast<std::size_t>(index)] += w.sampler.absorbed;
                     ++paths[static_cast<std::size_t>(index)];
                 }
-                if ((first_sample + count) % samples_per_pass == 0) film.end_pass(x, y);
+                if (beams || (first_sample + count) % samples_per_pass == 0) film.end_pass(x, y);
             }
         }
     };
@@ -205,9 +159,8 @@ Rendering render(const Scene& scene, const RenderOptions& options,
     int batch = 4 * arena.max_concurrency();
     bool enough = false;
     while (!report.interrupted && !enough) {
-        // Against the clock the first pass goes by single samples, to have a whole picture soon.
-        int count = options.seconds > 0 && report.samples < samples_per_pass ? 1 : samples_per_pass;
-        if (samples > 0) count = std::min(count, samples - report.samples);
+        const int count =
+            next_pass(beams.has_value(), report.samples, samples, options.seconds > 0);
         int end = 0;
         for (int begin = 0; begin < tiles && !report.interrupted; begin = end) {
             end = std::min(begin + batch, tiles);
@@ -252,9 +205,11 @@ Rendering render(const Scene& scene, const RenderOptions& options,
     }
     for (const Worker& w : workers) {
         report.events += w.walker.events();
+        if (w.beams) report.events += w.beams->events();
         report.bad_samples += w.bad;
     }
     report.seconds = seconds();
+    report.engine = beams ? Engine::beams : Engine::rays;
     Rendering out{film.image(), report};
     auto& m = out.image.metadata;
     m["scene"] = scene.title;

@@ -11,6 +11,10 @@
 
 namespace icespar {
 
+/// What follows light through stones: rays sample it, beams follow whole pixels (docs/method.md).
+/// automatic: beams where they apply. Both make the same picture, within their noise.
+enum class Engine { automatic, rays, beams };
+
 struct RenderOptions {
     int width = 640, height = 480;
     int samples = 0;   ///< per pixel; 0: until `error` or `seconds`
@@ -20,6 +24,7 @@ struct RenderOptions {
     std::uint64_t seed = 0;
     int bands = 0;  ///< spectral bands asked for, 0 .. 400
     bool stokes = false;
+    Engine engine = Engine::automatic;
 };
 
 struct Progress {
@@ -42,6 +47,7 @@ struct RenderReport {
     double dropped = 0;             ///< mean power per camera path given up by a depth bound
     std::uint64_t bad_samples = 0;  ///< NaN or infinite, left out of the picture
     bool interrupted = false;
+    Engine engine = Engine::rays;  ///< what made the picture
 };
 
 struct Rendering {

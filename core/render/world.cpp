@@ -101,7 +101,6 @@ World::World(const Scene& scene)
     : World(scene, scene.gems.size() + scene.things.size() > few_objects) {}
 
 World::World(const Scene& scene, bool use_tree) : scene_(scene) {
-    std::vector<Bounds> bounds;
     for (const Gem& gem : scene.gems) {
         planes_.emplace_back(gem.stone);
         Bounds b{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
@@ -109,7 +108,7 @@ World::World(const Scene& scene, bool use_tree) : scene_(scene) {
             b.low = {std::min(b.low.x, v.x), std::min(b.low.y, v.y), std::min(b.low.z, v.z)};
             b.high = {std::max(b.high.x, v.x), std::max(b.high.y, v.y), std::max(b.high.z, v.z)};
         }
-        bounds.push_back(b);
+        bounds_.push_back(b);
     }
     for (std::size_t i = 0; i < scene.things.size(); ++i) {
         const Thing& thing = scene.things[i];
@@ -128,9 +127,10 @@ World::World(const Scene& scene, bool use_tree) : scene_(scene) {
         const Vec3 reach{std::abs(a.x) + std::abs(b.x) + std::abs(c.x),
                          std::abs(a.y) + std::abs(b.y) + std::abs(c.y),
                          std::abs(a.z) + std::abs(b.z) + std::abs(c.z)};
-        bounds.push_back({centre - reach, centre + reach});
+        bounds_.push_back({centre - reach, centre + reach});
     }
-    if (use_tree && !bounds.empty()) {
+    if (use_tree && !bounds_.empty()) {
+        std::vector<Bounds> bounds = bounds_;
         double far = 0;
         for (const Bounds& b : bounds) far = std::max({far, length(b.low), length(b.high)});
         const Vec3 slack = float_slack * far * Vec3{1, 1, 1};

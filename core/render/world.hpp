@@ -38,6 +38,10 @@ struct FacetPlanes {
     [[nodiscard]] int entry(const Vec3& origin, const Vec3& direction, double& distance) const;
 };
 
+struct Bounds {
+    Vec3 low, high;
+};
+
 class BoundedObjects;
 
 /// The scene arranged for intersection. Keeps references into it.
@@ -59,6 +63,9 @@ public:
         return planes_[static_cast<std::size_t>(gem)];
     }
     [[nodiscard]] const Scene& scene() const { return scene_; }
+    /// Boxes around gems, then around bounded things; and which things have none (planes).
+    [[nodiscard]] const std::vector<Bounds>& bounds() const { return bounds_; }
+    [[nodiscard]] const std::vector<int>& unbounded() const { return unbounded_; }
 
 private:
     friend class BoundedObjects;
@@ -68,7 +75,8 @@ private:
 
     const Scene& scene_;
     std::vector<FacetPlanes> planes_;
-    std::vector<Transform> into_thing_;     ///< world to object space
+    std::vector<Transform> into_thing_;  ///< world to object space
+    std::vector<Bounds> bounds_;
     std::vector<int> unbounded_, bounded_;  ///< things: planes, and the others
     std::unique_ptr<BoundedObjects> tree_;
 };

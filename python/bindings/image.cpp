@@ -77,6 +77,10 @@ void bind_image(py::module_& module) {
             return py::bytes(reinterpret_cast<const char*>(bytes.data()), bytes.size());
         });
 
+    py::enum_<Engine>(module, "Engine", "What follows light through stones.")
+        .value("automatic", Engine::automatic)
+        .value("rays", Engine::rays)
+        .value("beams", Engine::beams);
     py::class_<RenderReport>(module, "RenderReport", "What a render did.")
         .def_readonly("samples", &RenderReport::samples, "A pixel.")
         .def_readonly("paths", &RenderReport::paths, "Camera paths.")
@@ -87,6 +91,7 @@ void bind_image(py::module_& module) {
                       "Mean power of a camera path that a bound on depth gave up.")
         .def_readonly("bad_samples", &RenderReport::bad_samples, "NaN or infinite, left out.")
         .def_readonly("interrupted", &RenderReport::interrupted)
+        .def_readonly("engine", &RenderReport::engine, "What made the picture.")
         .def("__repr__", [](const RenderReport& r) {
             return "<RenderReport: " + std::to_string(r.samples) + " samples a pixel in " +
                    std::to_string(r.seconds) + " s, error " + std::to_string(r.error) + ">";

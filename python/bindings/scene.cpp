@@ -129,13 +129,14 @@ void bind_scene(py::module_& module) {
     module.def(
         "render",
         [](const Scene& scene, int width, int height, int samples, double error, double seconds,
-           int threads, std::uint64_t seed, int bands, bool stokes, const py::object& progress) {
+           int threads, std::uint64_t seed, int bands, bool stokes, Engine engine,
+           const py::object& progress) {
             return render_scene(
-                scene, {width, height, samples, error, seconds, threads, seed, bands, stokes},
+                scene, {width, height, samples, error, seconds, threads, seed, bands, stokes, engine},
                 progress);
         },
         "scene"_a, py::kw_only(), "width"_a, "height"_a, "samples"_a, "error"_a, "seconds"_a,
-        "threads"_a, "seed"_a, "bands"_a, "stokes"_a, "progress"_a, "The image and the report.");
+        "threads"_a, "seed"_a, "bands"_a, "stokes"_a, "engine"_a, "progress"_a, "The image and the report.");
     module.def(
         "trace",
         [](const Scene& scene, const Doubles& origins, const Doubles& directions,

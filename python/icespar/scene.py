@@ -84,6 +84,7 @@ class Scene:
         seed: int = 0,
         stokes: bool = False,
         spectral: int = 0,
+        engine: Literal["auto", "rays", "beams"] = "auto",
         progress: bool | Callable[[_core.Progress], bool | None] = True,
     ) -> Image:
         """Renders to an Image of `size` (width, height).
@@ -92,6 +93,8 @@ class Scene:
         `spp` samples a pixel, or `time` in seconds; with none given, 64 samples. The same seed and samples
         make the same bits for any number of `threads` (0: all).
         `stokes` keeps the polarisation, `spectral` that many bands of the spectrum.
+        `engine` "rays" samples, "beams" follows whole pixels through stones, "auto" takes beams where there
+        is a stone; both make the same picture within their noise.
         `progress` True draws a bar on a terminal or in a notebook; a function is called with a Progress
         now and then, and ends the render by returning False. Ctrl-C raises KeyboardInterrupt.
 
@@ -108,6 +111,7 @@ class Scene:
             seed=_count("seed", seed, least=0, most=2**64 - 1),
             bands=_count("spectral", spectral, least=0, most=400),
             stokes=bool(stokes),
+            engine=_engine(engine),
             **bounds,
         )
         if callable(progress):
@@ -211,6 +215,13 @@ def _count(name: str, value: int, least: int = 1, most: int = 2**31 - 1) -> int:
     if not least <= number <= most:
         raise ValueError(f"{name}: {value!r} is not in {least} .. {most}")
     return number
+
+
+def _engine(name: str) -> _core.Engine:
+    engines = {"auto": _core.Engine.automatic, "rays": _core.Engine.rays, "beams": _core.Engine.beams}
+    if name not in engines:
+        raise ValueError(f"engine: {name!r} is not 'auto', 'rays' or 'beams'")
+    return engines[name]
 
 
 def _positive(name: str, value: float | None) -> float:

@@ -84,7 +84,9 @@ TEST_CASE("a render that is broken off keeps the pixels that are finished, and c
     // One stone fills the view, and one event is the bound: paths and events are as many.
     scene.gems.push_back({cube_stone(), glass(1.5), "cube"});
     scene.max_trace_level = 1;
-    const Rendering out = render(scene, small(128, 1000), [](const Progress&) { return false; });
+    RenderOptions options = small(128, 1000);
+    options.engine = Engine::rays;
+    const Rendering out = render(scene, options, [](const Progress&) { return false; });
     CHECK(out.report.interrupted);
     std::size_t finished = 0;
     bool whole = true;

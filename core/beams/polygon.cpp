@@ -1,0 +1,69 @@
+// Convex polygons: fans of triangles, and one pass per half-plane (Sutherland and Hodgman 1974).
+#include "beams/polygon.hpp"
+
+#include <cmath>
+
+namespace icespar {
+namespace {
+
+double twice_area(const Point2& a, const Point2& b) { return a.x * b.y - a.y * b.x; }
+
+}  // namespace
+
+Extent extent(PolygonView p) {
+    if (p.empty()) return {};
+    const Point2 origin = p[0];
+    double sum = 0;
+    Point2 moment;
+    for (std::size_t i = 2; i < p.size(); ++i) {
+        const Point2 a = p[i - 1] - origin, b = p[i] - origin;
+        const double w = twice_area(a, b);
+        sum += w;
+        moment = moment + w * (a + b);
+    }
+    if (sum == 0) return {0, origin};
+    return {0.5 * sum, origin + (1 / (3 * sum)) * moment};
+}
+
+void clip(PolygonView p, const Affine& f, Polygon& out) {
+    out.clear();
+    if (p.empty()) return;
+    Point2 from = p.back();
+    double before = f(from);
+    for (const Point2& to : p) {
+        const double now = f(to);
+        if ((before >= 0) != (now >= 0)) {
+            // The same point whichever way the edge is walked.
+            const bool forwards = from.x < to.x || (from.x == to.x && from.y < to.y);
+            const Point2 &a = forwards ? from : to, &b = forwards ? to : from;
+            const double fa = forwards ? before : now, fb = forwards ? now : before;
+            const double part = fa / (fa - fb);
+            out.push_back(a + part * (b - a));
+        }
+        if (now >= 0) out.push_back(to);
+        from = to;
+        before = now;
+    }
+}
+
+Point2 point_in(PolygonView p, double u, double v) {
+    // A triangle of the fan by its area, then a point in it.
+    const Point2 origin = p[0];
+    const double whole = 2 * extent(p).area;
+    double wanted = u * whole, share = 0;
+    std::size_t last = p.size() - 1;
+    for (std::size_t i = 2; i < p.size(); ++i) {
+        share = twice_area(p[i - 1] - origin, p[i] - origin);
+        if (wanted < share || i == p.size() - 1) {
+            last = i;
+            break;
+        }
+        wanted -= share;
+    }
+    if (p.size() < 3) return origin;
+    const double within = share > 0 ? std::fmin(1, std::fmax(0, wanted / share)) : 0.5;
+    const double root = std::sqrt(within);
+    return origin + root * ((1 - v) * (p[last - 1] - origin) + v * (p[last] - origin));
+}
+
+}  // namespace icespar

@@ -1,0 +1,130 @@
+// What a sensor sees of light that comes in along a beam: all four Stokes components, or intensity
+// alone.
+#pragma once
+
+#include <array>
+
+#include "math/vec3.hpp"
+#include "polarisation/stokes.hpp"
+
+namespace icespar {
+
+/// Amplitudes that a face turns s and p into: [outgoing s or p][incident s or p].
+using Jones = std::array<std::array<Complex, 2>, 2>;
+
+/// For pictures of the polarisation: what unit waves launched from the sensor with polarisations x
+/// and y have become, as in a Branch.
+struct FullResponse {
+    static constexpr bool stokes = true;
+
+    /// Along a ray of an isotropic medium: amplitudes [sensor axis][s or p].
+    struct Pair {
+        std::array<std::array<Complex, 2>, 2> a{{{1, 0}, {0, 1}}};
+
+        [[nodiscard]] double power() const {
+            return 0.5 * (std::norm(a[0][0]) + std::norm(a[0][1]) + std::norm(a[1][0]) +
+                          std::norm(a[1][1]));
+        }
+        /// What it sees of unpolarised light of radiance 1.
+        [[nodiscard]] Stokes unpolarised() const {
+            const double xx = std::norm(a[0][0]) + std::norm(a[0][1]),
+                         yy = std::norm(a[1][0]) + std::norm(a[1][1]);
+            const Complex xy = a[0][0] * std::conj(a[1][0]) + a[0][1] * std::conj(a[1][1]);
+            return {0.5 * (xx + yy), 0.5 * (xx - yy), xy.real(), xy.imag()};
+        }
+        /// On axes turned so that the new s has components (c, d) along the old s and p.
+        [[nodiscard]] Pair turned(double c, double d) const {
+            Pair out;
+            for (std::size_t i = 0; i < 2; ++i) {
+                out.a[i] = {c * a[i][0] + d * a[i][1], c * a[i][1] - d * a[i][0]};
+            }
+            return out;
+        }
+        [[nodiscard]] Pair times(const Complex& s, const Complex& p) const {
+            return {{{{s * a[0][0], p * a[0][1]}, {s * a[1][0], p * a[1][1]}}}};
+        }
+        [[nodiscard]] Pair through(const Jones& j) const {
+            Pair out;
+            for (std::size_t i = 0; i < 2; ++i) {
+                out.a[i] = {j[0][0] * a[i][0] + j[0][1] * a[i][1],
+                            j[1][0] * a[i][0] + j[1][1] * a[i][1]};
+            }
+            return out;
+        }
+        void scale(double power_factor) {
+            const double f = std::sqrt(power_factor);
+            for (auto& row : a) row = {f * row[0], f * row[1]};
+        }
+    };
+
+    /// Along a mode of a crystal.
+    struct Single {
+        std::array<Complex, 2> a;
+
+        [[nodiscard]] double power() const { return 0.5 * (std::norm(a[0]) + std::norm(a[1])); }
+        [[nodiscard]] Single times(const Complex& f) const { return {{f * a[0], f * a[1]}}; }
+        [[nodiscard]] Pair leaving(const Complex& s, const Complex& p) const {
+            return {{{{s * a[0], p * a[0]}, {s * a[1], p * a[1]}}}};
+        }
+        void scale(double power_factor) {
+            const double f = std::sqrt(power_factor);
+            a = {f * a[0], f * a[1]};
+        }
+    };
+    [[nodiscard]] static Single entering(const Pair& r, const Complex& s, const Complex& p) {
+        return {{s * r.a[0][0] + p * r.a[0][1], s * r.a[1][0] + p * r.a[1][1]}};
+    }
+};
+
+/// For pictures of the intensity: one row of the Mueller product, as the Hermitian form sum over
+/// both sensor axes of a_i conj(a_j).
+struct IntensityResponse {
+    static constexpr bool stokes = false;
+
+    struct Pair {
+        double ss = 1, pp = 1;
+        Complex sp = 0;
+
+        [[nodiscard]] double power() const { return 0.5 * (ss + pp); }
+        [[nodiscard]] Stokes unpolarised() const { return {power(), 0, 0, 0}; }
+        [[nodiscard]] Pair turned(double c, double d) const {
+            const double cc = c * c, dd = d * d, cd = c * d, re = sp.real();
+            const double mixed = 2 * cd * re;
+            return {cc * ss + dd * pp + mixed,
+                    dd * ss + cc * pp - mixed,
+                    {cd * (pp - ss) + (cc - dd) * re, sp.imag()}};
+        }
+        [[nodiscard]] Pair times(const Complex& s, const Complex& p) const {
+            return {std::norm(s) * ss, std::norm(p) * pp, s * std::conj(p) * sp};
+        }
+        [[nodiscard]] Pair through(const Jones& j) const {
+            const auto form = [&](const std::array<Complex, 2>& u,
+                                  const std::array<Complex, 2>& v) {
+                return ss * u[0] * std::conj(v[0]) + pp * u[1] * std::conj(v[1]) +
+                       sp * u[0] * std::conj(v[1]) + std::conj(sp) * u[1] * std::conj(v[0]);
+            };
+            return {form(j[0], j[0]).real(), form(j[1], j[1]).real(), form(j[0], j[1])};
+        }
+        void scale(double power_factor) {
+            ss *= power_factor;
+            pp *= power_factor;
+            sp *= power_factor;
+        }
+    };
+
+    struct Single {
+        double whole = 0;  ///< sum over both sensor axes
+
+        [[nodiscard]] double power() const { return 0.5 * whole; }
+        [[nodiscard]] Single times(const Complex& f) const { return {std::norm(f) * whole}; }
+        [[nodiscard]] Pair leaving(const Complex& s, const Complex& p) const {
+            return {std::norm(s) * whole, std::norm(p) * whole, whole * s * std::conj(p)};
+        }
+        void scale(double power_factor) { whole *= power_factor; }
+    };
+    [[nodiscard]] static Single entering(const Pair& r, const Complex& s, const Complex& p) {
+        return {std::norm(s) * r.ss + std::norm(p) * r.pp + 2 * (s * std::conj(p) * r.sp).real()};
+    }
+};
+
+}  // namespace icespar

@@ -1,0 +1,412 @@
+// Beams through one stone: fragments of a pixel, carried to first order from facet to facet.
+#pragma once
+
+#include <type_traits>
+#include <vector>
+
+#include "beams/expansion.hpp"
+#include "beams/facet_search.hpp"
+#include "beams/response.hpp"
+#include "interface/interface.hpp"
+
+namespace icespar {
+
+/// Light that leaves the stone (or is thrown back by its outside) towards the surroundings.
+template <class Response>
+struct Leaf {
+    PolygonView polygon;  ///< corners relative to `centre`, which is its centroid
+    Point2 centre;        ///< in pixels, from the pixel's centre
+    double area = 0;      ///< in pixels
+    Expansion position;   ///< on the facet, relative to the stone's centre
+    Expansion k;          ///< unit wave vector in the air
+    Vec3 s;               ///< the response's s; its p is k x s
+    typename Response::Pair response;
+    int facet = 0, hits = 0;
+};
+
+/// Follows what enters a stone through a polygon of a pixel, depth first. The sink decides and
+/// collects:
+///
+///   gain(weight, hits)  0 ends a beam of this area times power; a survivor's power is multiplied
+///   may_meet(hits)      false: the beam ends before its next interface event
+///   lose(weight)        a beam given up so
+///   see(leaf)
+template <class Response, bool birefringent>
+class BeamTracer {
+public:
+    explicit BeamTracer(const FacetSearch& facets)
+        : facets_(facets), scratch_(facets.scratch()), air_(Medium::isotropic(1)), medium_(air_) {}
+
+    void set_medium(const Medium& medium) {
+        medium_ = medium;
+        eps_o_ = medium.n_o * medium.n_o;
+        eps_e_ = medium.n_e * medium.n_e;
+    }
+
+    [[nodiscard]] std::uint64_t events() const { return events_; }
+
+    /// `field` is relative to the facets' centre and the pixel's; `right` is picture-right.
+    template <class Sink>
+    void trace(const RayField& field, const Vec3& right, PolygonView polygon, int facet,
+               Sink& sink) {
+        enter(field, right, polygon, facet, sink);
+        while (!beams_.empty()) {
+            beam_ = beams_.back();
+            beams_.pop_back();
+            polygon_.assign(corners_.end() - beam_.corners, corners_.end());
+            corners_.resize(corners_.size() - static_cast<std::size_t>(beam_.corners));
+            advance(sink);
+        }
+        bases_.clear();
+    }
+
+private:
+    using Pair = typename Response::Pair;
+    using Single = typename Response::Single;
+
+    struct Beam {
+        Point2 centre;
+        double area;
+        Expansion position, k;
+        Vec3 s;  ///< a crystal's mode: its E
+        std::conditional_t<birefringent, Single, Pair> response;
+        int left;  ///< the facet just left
+        int hits;
+        bool extraordinary;
+        int corners;  ///< on top of the stack of corners, relative to `centre`
+        int bases;    ///< facets whose fragments have been cut off already: a chain in bases_
+    };
+    struct Base {
+        int facet, next;
+    };
+
+    /// Follows the beam on from a face if it is worth it; its weight is area times power. One
+    /// chance an event: a piece cut off later must not play again at the same depth.
+    template <class Sink>
+    void send(Sink& sink) {
+        const double weight = beam_.area * beam_.response.power();
+        if (!sink.may_meet(beam_.hits)) return sink.lose(weight);
+        const double gain = sink.gain(weight, beam_.hits);
+        if (gain == 0) return;
+        if (gain != 1) beam_.response.scale(gain);
+        push(beam_, polygon_);
+    }
+
+    void push(Beam& beam, PolygonView polygon) {
+        beam.corners = static_cast<int>(polygon.size());
+        beams_.push_back(beam);
+        corners_.insert(corners_.end(), polygon.begin(), polygon.end());
+    }
+
+    /// Moves the expansions to the polygon's centroid and its corners with them. False when nothing
+    /// is left of it.
+    bool recentre(Beam& beam, Polygon& polygon) {
+        const Extent e = extent(polygon);
+        if (!(e.area > 0)) return false;
+        beam.area = e.area;
+        beam.centre = beam.centre + e.centroid;
+        beam.position.value = beam.position.at(e.centroid);
+        beam.k.value = beam.k.at(e.centroid);
+        if constexpr (birefringent) {
+            const Vec3 flow = energy(beam.k.value, beam.extraordinary);
+            const double surface = beam.extraordinary ? eps_e_ * eps_o_ : eps_o_;
+            beam.k.value = std::sqrt(surface / dot(flow, beam.k.value)) * beam.k.value;
+            turn_field(beam);
+        } else {
+            beam.k.value = (medium_.n_o / length(beam.k.value)) * beam.k.value;
+        }
+        for (Point2& p : polygon) p = p - e.centroid;
+        return true;
+    }
+
+    /// A mode's E follows its k, but for its sign; along the axis it stays what it was.
+    void turn_field(Beam& beam) const {
+        constexpr double along_axis = 1e-12;
+        const Vec3& k = beam.k.value;
+        const Vec3 across = cross(k, medium_.axis);
+        if (!(dot(across, across) > along_axis)) return;
+        beam.s = normalised(beam.extraordinary ? medium_.axis - (dot(k, medium_.axis) / eps_o_) * k
+                                               : across);
+    }
+
+    /// The direction of energy, not normalised: linear in k.
+    [[nodiscard]] Vec3 energy(const Vec3& k, bool extraordinary) const {
+        if (!extraordinary) return k;
+        return eps_o_ * k + ((eps_e_ - eps_o_) * dot(k, medium_.axis)) * medium_.axis;
+    }
+
+    [[nodiscard]] bool based_on(int chain, int facet) const {
+        for (; chain >= 0; chain = bases_[static_cast<std::size_t>(chain)].next) {
+            if (bases_[static_cast<std::size_t>(chain)].facet == facet) return true;
+        }
+        return false;
+    }
+
+    /// To the facet that the centroid meets. What falls beyond that facet's edges is cut off and
+    /// starts again from its own centroid: parts always sum to the whole.
+    template <class Sink>
+    void advance(Sink& sink) {
+        Expansion flow = beam_.k;
+        if constexpr (birefringent) {
+            if (beam_.extraordinary) {
+                flow = {energy(beam_.k.value, true), energy(beam_.k.dx, true),
+                        energy(beam_.k.dy, true)};
+            }
+        }
+        double t = 0;
+        const int facet = facets_.exit(beam_.position.value, flow.value, beam_.left, t, scratch_);
+        if (facet < 0) return sink.lose(beam_.area * beam_.response.power());
+        const Vec3 normal = facets_.normal(facet);
+        Expansion there = arrival(beam_.position, flow, normal, t);
+        double reach2 = 0;
+        for (const Point2& p : polygon_) {
+            const Vec3 step = p.x * there.dx + p.y * there.dy;
+            reach2 = std::max(reach2, dot(step, step));
+        }
+        facets_.near(facet, beam_.left, t, std::sqrt(reach2), scratch_);
+        bool cut = false;
+        // A piece that has been cut off by the facet it now meets is not cut again: the edge
+        // between two facets is crossed once.
+        if (!scratch_.near.empty() && (beam_.bases < 0 || !based_on(beam_.bases, facet))) {
+            for (const int other : scratch_.near) {
+                if (beam_.bases >= 0 && based_on(beam_.bases, other)) continue;
+                const Affine gap = inside(there, other);
+                double least = 0;
+                for (const Point2& p : polygon_) least = std::min(least, gap(p));
+                if (least == 0) continue;
+                cut = true;
+                clip(polygon_, {-gap.value, -gap.dx, -gap.dy}, piece_);
+                clip(polygon_, gap, rest_);
+                polygon_.swap(rest_);
+                Beam off = beam_;
+                if (recentre(off, piece_)) {
+                    bases_.push_back({facet, beam_.bases});
+                    off.bases = static_cast<int>(bases_.size()) - 1;
+                    push(off, piece_);
+                }
+                if (polygon_.empty()) break;
+            }
+        }
+        if (cut) {
+            if (!recentre(beam_, polygon_)) return;
+            flow.value = energy(beam_.k.value, beam_.extraordinary);
+            t = (facets_.distance(facet) - dot(normal, beam_.position.value)) /
+                dot(normal, flow.value);
+            there = arrival(beam_.position, flow, normal, t);
+        }
+        beam_.position = there;
+        ++beam_.hits;
+        beam_.left = facet;
+        beam_.bases = -1;
+        ++events_;
+        meet(normal, sink);
+    }
+
+    /// Where lines along `flow` meet a plane that is `t` away from the first of them.
+    [[nodiscard]] static Expansion arrival(const Expansion& from, const Expansion& flow,
+                                           const Vec3& normal, double t) {
+        const double speed = -1 / dot(normal, flow.value);
+        const Vec3 x = from.dx + t * flow.dx, y = from.dy + t * flow.dy;
+        return {from.value + t * flow.value, x + (speed * dot(normal, x)) * flow.value,
+                y + (speed * dot(normal, y)) * flow.value};
+    }
+
+    /// Distance to a plane, positive within the stone.
+    [[nodiscard]] Affine inside(const Expansion& point, int facet) const {
+        const Affine height = point.along(facets_.normal(facet));
+        return {facets_.distance(facet) - height.value, -height.dx, -height.dy};
+    }
+
+    /// The outgoing wave vector `value` that shares k's tangential part, with its derivatives: dk
+    /// lies across the flow of energy, which fixes its normal part.
+    [[nodiscard]] Expansion matched(const Expansion& k, const Vec3& normal, const Vec3& value,
+                                    const Vec3& flow) const {
+        const double slope = 1 / dot(flow, normal);
+        const auto derivative = [&](const Vec3& d) { return d - (dot(flow, d) * slope) * normal; };
+        return {value, derivative(k.dx), derivative(k.dy)};
+    }
+
+    template <class Sink>
+    void leave(const Expansion& k, const Vec3& s, const Pair& response, Sink& sink) {
+        Leaf<Response> leaf;
+        leaf.polygon = polygon_;
+        leaf.centre = beam_.centre;
+        leaf.area = beam_.area;
+        leaf.position = beam_.position;
+        leaf.k = k;
+        leaf.s = s;
+        leaf.response = response;
+        leaf.facet = beam_.left;
+        leaf.hits = beam_.hits;
+        sink.see(leaf);
+    }
+
+    template <class Sink>
+    void meet(const Vec3& normal, Sink& sink) {
+        if constexpr (birefringent) {
+            meet_crystal(normal, sink);
+        } else {
+            meet_isotropic(normal, sink);
+        }
+    }
+
+    /// s of a face and the response on it. At normal incidence any s will do.
+    [[nodiscard]] static Pair on_face(const Pair& response, const Expansion& k, double n,
+                                      const Vec3& normal, Vec3& s) {
+        constexpr double straight = 1e-24;
+        const Vec3 across = cross(normal, k.value);
+        const double size2 = dot(across, across);
+        if (!(size2 > straight * n * n)) return response;
+        const Vec3 turned = across / std::sqrt(size2);
+        // s was across k before k turned to a new centroid.
+        const double c = dot(turned, s), d = dot(turned, cross(k.value, s)) / n;
+        const double whole = 1 / std::sqrt(c * c + d * d);
+        const Pair out = response.turned(whole * c, whole * d);
+        s = turned;
+        return out;
+    }
+
+    /// Fresnel (1823), from inside. The phase common to s and p is left out.
+    template <class Sink>
+    void meet_isotropic(const Vec3& normal, Sink& sink) {
+        const double n = medium_.n_o, eps = eps_o_;
+        const Expansion k = beam_.k;
+        const Pair incident = on_face(beam_.response, k, n, normal, beam_.s);
+        const double q = dot(normal, k.value), q_out2 = q * q + (1 - n) * (1 + n);
+        if (q_out2 > 0) {
+            const double q_out = std::sqrt(q_out2);
+            const double r_s = (q - q_out) / (q + q_out);
+            const double r_p = (q - eps * q_out) / (q + eps * q_out);
+            const Vec3 out = k.value + (q_out - q) * normal;
+            leave(matched(k, normal, out, out), beam_.s,
+                  incident.times(std::sqrt(1 - r_s * r_s), std::sqrt(1 - r_p * r_p)), sink);
+            beam_.response = incident.times(r_s, r_p);
+        } else {
+            const double decay = std::sqrt(-q_out2);
+            const Complex z{q * q + eps * decay * decay, (eps - 1) * q * decay};
+            beam_.response = incident.times(z * z / std::norm(z), 1);
+        }
+        const auto mirrored = [&](const Vec3& v) { return v - (2 * dot(normal, v)) * normal; };
+        beam_.k = {mirrored(k.value), mirrored(k.dx), mirrored(k.dy)};
+        send(sink);
+    }
+
+    template <class Sink>
+    void meet_crystal(const Vec3& normal, Sink& sink) {
+        const Expansion k = beam_.k;
+        Wave incident;
+        incident.mode = beam_.extraordinary ? Mode::extraordinary : Mode::ordinary;
+        incident.k = complexified(k.value);
+        incident.E = complexified(beam_.s);
+        const Interface face(medium_, air_, normal, incident);
+        const std::size_t m = beam_.extraordinary ? 1 : 0;
+        const Single before = beam_.response;
+        if (face.propagating(true, 0)) {
+            const Vec3 out = face.wave_vector(true, 0);
+            leave(matched(k, normal, out, out), face.s_direction(),
+                  before.leaving(face.flux_amplitude(m, true, 0), face.flux_amplitude(m, true, 1)),
+                  sink);
+        }
+        send_modes(
+            face, false, k, normal,
+            [&](std::size_t i) { return before.times(face.flux_amplitude(m, false, i)); }, sink);
+    }
+
+    /// Pushes both modes that go into the crystal.
+    template <class Coupled, class Sink>
+    void send_modes(const Interface& face, bool transmitted, const Expansion& k, const Vec3& normal,
+                    const Coupled& coupled, Sink& sink) {
+        for (std::size_t i = 0; i < 2; ++i) {
+            if (!face.propagating(transmitted, i)) continue;
+            beam_.extraordinary = i == 1;
+            beam_.response = coupled(i);
+            const Vec3 out = face.wave_vector(transmitted, i);
+            beam_.k = matched(k, normal, out, energy(out, i == 1));
+            beam_.s = face.field_direction(transmitted, i);
+            send(sink);
+        }
+    }
+
+    template <class Sink>
+    void enter(const RayField& field, const Vec3& right, PolygonView polygon, int facet,
+               Sink& sink) {
+        polygon_.assign(polygon.begin(), polygon.end());
+        const Extent e = extent(polygon_);
+        if (!(e.area > 0)) return;
+        for (Point2& p : polygon_) p = p - e.centroid;
+        const Expansion origin = field.origin.about(e.centroid);
+        const Expansion line = field.direction.about(e.centroid);
+        const Vec3 normal = facets_.normal(facet);
+        const double size = length(line.value);
+        const Vec3 unit = line.value / size;
+        const auto turned = [&](const Vec3& d) { return (d - dot(unit, d) * unit) / size; };
+        const Expansion k{unit, turned(line.dx), turned(line.dy)};
+        const double t =
+            (facets_.distance(facet) - dot(normal, origin.value)) / dot(normal, line.value);
+        beam_ = Beam{};
+        beam_.centre = e.centroid;
+        beam_.area = e.area;
+        beam_.position = arrival(origin, line, normal, t);
+        beam_.left = facet;
+        beam_.hits = 1;
+        beam_.bases = -1;
+        ++events_;
+        Vec3 s = normalised(right - dot(right, unit) * unit);
+        // Launched with x along s and y = x cross k, which is -p.
+        const Pair launched = Pair{}.times(1, -1);
+        enter_face(launched, k, s, -normal, sink);
+    }
+
+    template <class Sink>
+    void enter_face(const Pair& launched, const Expansion& k, Vec3 s, const Vec3& normal,
+                    Sink& sink) {
+        const auto mirrored = [&](const Vec3& v) { return v - (2 * dot(normal, v)) * normal; };
+        const Expansion back{mirrored(k.value), mirrored(k.dx), mirrored(k.dy)};
+        if constexpr (birefringent) {
+            Wave incident;
+            incident.k = complexified(k.value);
+            const Interface face(air_, medium_, normal, incident);
+            const Vec3& turned = face.s_direction();
+            const Pair arriving = launched.turned(dot(turned, s), dot(turned, cross(k.value, s)));
+            // From an isotropic medium both polarisations couple to both reflected ones.
+            leave(back, turned, reflected(face, arriving), sink);
+            send_modes(
+                face, true, k, normal,
+                [&](std::size_t i) {
+                    return Response::entering(arriving, face.flux_amplitude(0, true, i),
+                                              face.flux_amplitude(1, true, i));
+                },
+                sink);
+        } else {
+            const double eps = eps_o_;
+            const Pair arriving = on_face(launched, k, 1, normal, s);
+            const double q = dot(normal, k.value), q_in = std::sqrt(q * q + eps - 1);
+            const double r_s = (q - q_in) / (q + q_in), r_p = (eps * q - q_in) / (eps * q + q_in);
+            leave(back, s, arriving.times(r_s, r_p), sink);
+            const Vec3 in = k.value + (q_in - q) * normal;
+            beam_.k = matched(k, normal, in, in);
+            beam_.s = s;
+            beam_.response = arriving.times(std::sqrt(1 - r_s * r_s), std::sqrt(1 - r_p * r_p));
+            send(sink);
+        }
+    }
+
+    [[nodiscard]] static Pair reflected(const Interface& face, const Pair& arriving) {
+        return arriving.through(
+            {{{face.flux_amplitude(0, false, 0), face.flux_amplitude(1, false, 0)},
+              {face.flux_amplitude(0, false, 1), face.flux_amplitude(1, false, 1)}}});
+    }
+
+    const FacetSearch& facets_;
+    FacetSearch::Scratch scratch_;
+    Medium air_, medium_;
+    double eps_o_ = 1, eps_e_ = 1;
+    std::vector<Beam> beams_;
+    Polygon corners_;
+    std::vector<Base> bases_;
+    Beam beam_{};
+    Polygon polygon_, piece_, rest_;
+    std::uint64_t events_ = 0;
+};
+
+}  // namespace icespar

@@ -1,0 +1,297 @@
+// From a pixel's footprint to the sampler: beams through stones, leaves to the sky or on as rays.
+#include "render/beam_engine.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+#include "beams/footprint.hpp"
+#include "beams/roulette.hpp"
+#include "beams/tracer.hpp"
+#include "render/sky_sum.hpp"
+#include "render/visibility.hpp"
+#include "render/walker.hpp"
+
+namespace icespar {
+
+struct BeamScene::Stones {
+    std::vector<FacetSearch> facets;
+    std::vector<Footprint> footprints;
+    std::vector<Visibility> visibility;
+    std::vector<bool> suited;
+    bool sky_only = false;  ///< what leaves a stone meets nothing but an unpolarised sky
+};
+
+namespace {
+
+/// Beams know clear isotropic and uniaxial stones without activity.
+bool suited(const Crystal& c) {
+    if (c.indices.size() > 2 || !c.absorption.empty() || c.fade) return false;
+    return Spectrum::integrate([&](double nm) { return std::abs(c.rotation(nm)); }) == 0;
+}
+
+}  // namespace
+
+BeamScene::BeamScene(const World& world, int width, int height)
+    : world_(world), width_(width), height_(height), stones_(std::make_unique<Stones>()) {
+    const Scene& scene = world.scene();
+    for (std::size_t i = 0; i < scene.gems.size(); ++i) {
+        const Stone& stone = scene.gems[i].stone;
+        stones_->facets.emplace_back(stone);
+        stones_->footprints.emplace_back(stone, scene.camera, width, height);
+        stones_->suited.push_back(suited(scene.gems[i].crystal));
+        stones_->visibility.emplace_back(world, static_cast<int>(i), width, height);
+    }
+    stones_->sky_only = scene.gems.size() == 1 && scene.things.empty() &&
+                        scene.environment.state == Stokes{1, 0, 0, 0};
+}
+
+BeamScene::~BeamScene() = default;
+
+std::string BeamScene::obstacle(const Scene& scene) {
+    if (scene.gems.empty()) return "there is no stone in the scene";
+    for (const Gem& gem : scene.gems) {
+        if (suited(gem.crystal)) return {};
+    }
+    return "its stones absorb, turn polarisation or are biaxial";
+}
+
+int BeamScene::stone_at(int x, int y) const {
+    int found = -1;
+    for (std::size_t i = 0; i < stones_->footprints.size(); ++i) {
+        if (!stones_->footprints[i].frame().holds(x, y)) continue;
+        if (found >= 0 || !stones_->suited[i] || stones_->visibility[i].doubtful(x, y)) {
+            return by_rays;
+        }
+        found = static_cast<int>(i);
+    }
+    return found >= 0 ? found : stones_->sky_only ? sky : by_rays;
+}
+
+struct BeamEngine::Kernels {
+    virtual ~Kernels() = default;
+    virtual void pixel(int x, int y, int stone, int samples, std::uint64_t seed,
+                       Sampler& sampler) = 0;
+    [[nodiscard]] virtual std::uint64_t events() const = 0;
+};
+
+namespace {
+
+/// A branch that goes on where a leaf ends, through one point of its polygon.
+template <class Response>
+Branch continued(const Leaf<Response>& leaf, const Point2& at, const Vec3& centre, int gem,
+                 bool one_wavelength) {
+    Branch b;
+    b.position = leaf.position.at(at) + centre;
+    b.ray = b.k = normalised(leaf.k.at(at));
+    b.from = {gem, -1};
+    const Vec3 s = normalised(leaf.s - dot(leaf.s, b.ray) * b.ray);
+    b.basis = {s, cross(b.ray, s)};
+    if constexpr (Response::stokes) {
+        b.amplitude = leaf.response.a;
+    } else {
+        // Any two launched waves of the same sum: S0 does not tell sensor axes apart.
+        const auto& r = leaf.response;
+        const double root = std::sqrt(r.ss);
+        if (root > 0) {
+            b.amplitude[0] = {root, std::conj(r.sp) / root};
+            b.amplitude[1] = {0, std::sqrt(std::max(0.0, r.pp - std::norm(r.sp) / r.ss))};
+        } else {
+            b.amplitude[0] = {0, std::sqrt(r.pp)};
+        }
+    }
+    b.one_wavelength = one_wavelength;
+    b.hits = leaf.hits;
+    b.weight = b.power();
+    return b;
+}
+
+template <class Response>
+class PixelBeams final : public BeamEngine::Kernels {
+public:
+    using Isotropic = BeamTracer<Response, false>;
+    using Uniaxial = BeamTracer<Response, true>;
+
+    PixelBeams(const World& world, const BeamScene::Stones& stones, const Palette& palette,
+               int width, int height)
+        : world_(world),
+          stones_(stones),
+          palette_(palette),
+          width_(width),
+          height_(height),
+          walker_(world, palette, false),
+          sky_(world.scene().environment) {
+        for (std::size_t i = 0; i < stones.facets.size(); ++i) {
+            if (world.scene().gems[i].crystal.birefringent()) {
+                tracers_.emplace_back(std::in_place_type<Uniaxial>, stones.facets[i]);
+            } else {
+                tracers_.emplace_back(std::in_place_type<Isotropic>, stones.facets[i]);
+            }
+        }
+    }
+
+    void pixel(int x, int y, int stone, int samples, std::uint64_t seed,
+               Sampler& sampler) override {
+        sampler_ = &sampler;
+        samples_ = samples;
+        threshold_ = 1.0 / samples;
+        share_ = 1;
+        dispersive_ = false;
+        sampler.begin(seed);
+        sampler.inside_threshold = sampler.outside_threshold = 0.1 * threshold_;
+        const Scene& scene = world_.scene();
+        if (stone == BeamScene::sky) {
+            field_ = pixel_field(scene.camera, width_, height_, x, y, {});
+            background(pixel_square);
+            return flush(false);
+        }
+        gem_ = stone;
+        const auto g = static_cast<std::size_t>(stone);
+        const Crystal& crystal = scene.gems[g].crystal;
+        field_ = pixel_field(scene.camera, width_, height_, x, y, stones_.facets[g].centre());
+        stones_.footprints[g].divide(field_, x, y, parts_, count_);
+        for (std::size_t i = 0; i < count_; ++i) {
+            if (parts_[i].facet < 0) background(parts_[i].polygon);
+        }
+        if (!crystal.dispersive()) {
+            roulette_.begin(seed, threshold_);
+            trace_stone(crystal, longest_nm);
+            return flush(false);
+        }
+        flush(false);
+        dispersive_ = true;
+        share_ = 1.0 / wavelengths_per_pass;
+        const double shift = sampler.uniform();
+        for (int w = 0; w < wavelengths_per_pass; ++w) {
+            sampler.at_wavelength((w + shift) / wavelengths_per_pass);
+            roulette_.begin(mixed(seed + static_cast<unsigned>(w)), threshold_);
+            trace_stone(crystal, sampler.wavelength_nm());
+            flush(true);
+        }
+    }
+
+    [[nodiscard]] std::uint64_t events() const override {
+        std::uint64_t sum = walker_.events();
+        for (const auto& t : tracers_) sum += std::visit([](auto& v) { return v.events(); }, t);
+        return sum;
+    }
+
+    // For the tracer.
+    [[nodiscard]] double gain(double weight, int hits) { return roulette_.gain(weight, hits); }
+    [[nodiscard]] bool may_meet(int hits) const {
+        const int most = world_.scene().max_trace_level;
+        return most == 0 || hits < most;
+    }
+    void lose(double weight) { sampler_->dropped += share_ * weight; }
+    void see(const Leaf<Response>& leaf) {
+        if (stones_.sky_only) {
+            sky_.add(leaf.k, leaf.polygon, leaf.area, leaf.response.unpolarised());
+            return;
+        }
+        const double weight = leaf.area * leaf.response.power();
+        const int rays = std::max(1, static_cast<int>(std::lround(weight * samples_)));
+        const Vec3& centre = stones_.facets[static_cast<std::size_t>(gem_)].centre();
+        for (int i = 0; i < rays; ++i) {
+            Branch b = continued(leaf, random_point(leaf.polygon), centre, gem_, dispersive_);
+            follow(b, share_ * leaf.area / rays);
+        }
+    }
+
+private:
+    static constexpr int wavelengths_per_pass = 8;
+
+    [[nodiscard]] Point2 random_point(PolygonView polygon) {
+        const double u = sampler_->uniform();
+        return point_in(polygon, u, sampler_->uniform());
+    }
+
+    void follow(Branch& b, double share) {
+        if (!dispersive_) sampler_->at_wavelength(sampler_->uniform());
+        b.scale(share);
+        walker_.walk(b, sampler_->wavelength_nm(), *sampler_);
+    }
+
+    void trace_stone(const Crystal& crystal, double nm) {
+        const double n = crystal.indices[0](nm);
+        const Medium medium = crystal.birefringent()
+                                  ? Medium::uniaxial(n, crystal.indices[1](nm), crystal.axis)
+                                  : Medium::isotropic(n);
+        std::visit(
+            [&](auto& tracer) {
+                tracer.set_medium(medium);
+                for (std::size_t i = 0; i < count_; ++i) {
+                    if (parts_[i].facet < 0) continue;
+                    tracer.trace(field_, world_.scene().camera.right, parts_[i].polygon,
+                                 parts_[i].facet, *this);
+                }
+            },
+            tracers_[static_cast<std::size_t>(gem_)]);
+    }
+
+    void background(PolygonView polygon) {
+        const Extent e = extent(polygon);
+        if (stones_.sky_only) {
+            const Vec3 unit = normalised(field_.direction.at(e.centroid));
+            const double size = length(field_.direction.at(e.centroid));
+            const auto turned = [&](const Vec3& d) { return (d - dot(unit, d) * unit) / size; };
+            corners_.assign(polygon.begin(), polygon.end());
+            for (Point2& p : corners_) p = p - e.centroid;
+            sky_.add({unit, turned(field_.direction.dx), turned(field_.direction.dy)}, corners_,
+                     e.area, {1, 0, 0, 0});
+            return;
+        }
+        const int rays = std::max(1, static_cast<int>(std::lround(e.area * samples_)));
+        const Vec3& centre = stones_.facets[static_cast<std::size_t>(gem_)].centre();
+        for (int i = 0; i < rays; ++i) {
+            const Point2 p = random_point(polygon);
+            Branch b = Branch::from_sensor(field_.origin.at(p) + centre,
+                                           normalised(field_.direction.at(p)),
+                                           world_.scene().camera.right);
+            follow(b, e.area / rays);
+        }
+    }
+
+    void flush(bool one_wavelength) {
+        if (stones_.sky_only) sky_.flush(palette_, share_, one_wavelength, *sampler_);
+    }
+
+    const World& world_;
+    const BeamScene::Stones& stones_;
+    const Palette& palette_;
+    int width_, height_;
+    Walker<Sampler> walker_;
+    SkySum sky_;
+    std::vector<std::variant<Isotropic, Uniaxial>> tracers_;
+    Roulette roulette_;
+    Sampler* sampler_ = nullptr;
+    RayField field_;
+    std::vector<Footprint::Part> parts_;
+    std::size_t count_ = 0;
+    Polygon corners_;
+    int gem_ = 0, samples_ = 1;
+    double threshold_ = 1, share_ = 1;
+    bool dispersive_ = false;
+};
+
+}  // namespace
+
+BeamEngine::BeamEngine(const BeamScene& scene, const Palette& palette, bool stokes) {
+    if (stokes) {
+        kernels_ = std::make_unique<PixelBeams<FullResponse>>(scene.world_, *scene.stones_, palette,
+                                                              scene.width_, scene.height_);
+    } else {
+        kernels_ = std::make_unique<PixelBeams<IntensityResponse>>(
+            scene.world_, *scene.stones_, palette, scene.width_, scene.height_);
+    }
+}
+
+BeamEngine::~BeamEngine() = default;
+BeamEngine::BeamEngine(BeamEngine&&) noexcept = default;
+
+void BeamEngine::pixel(int x, int y, int stone, int samples, std::uint64_t seed, Sampler& sampler) {
+    kernels_->pixel(x, y, stone, samples, seed, sampler);
+}
+
+std::uint64_t BeamEngine::events() const { return kernels_->events(); }
+
+}  // namespace icespar

@@ -1,0 +1,56 @@
+// Pixels by beams: stones are followed fragment by fragment, whatever lies around them by rays.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "render/palette.hpp"
+#include "render/sampler.hpp"
+#include "render/world.hpp"
+
+namespace icespar {
+
+/// What all workers share: stones laid out for beams, and where each is seen.
+class BeamScene {
+public:
+    BeamScene(const World& world, int width, int height);
+    ~BeamScene();
+
+    /// Why this scene's pictures cannot be made by beams; empty when they can.
+    [[nodiscard]] static std::string obstacle(const Scene& scene);
+
+    enum Kind { by_rays = -2, sky = -1 };
+    /// The stone that beams may enter from this pixel. by_rays: there is none but other things, or
+    /// several, or something may stand in front of it.
+    [[nodiscard]] int stone_at(int x, int y) const;
+
+    struct Stones;
+
+private:
+    friend class BeamEngine;
+    const World& world_;
+    int width_, height_;
+    std::unique_ptr<Stones> stones_;
+};
+
+/// One worker's beams.
+class BeamEngine {
+public:
+    BeamEngine(const BeamScene& scene, const Palette& palette, bool stokes);
+    ~BeamEngine();
+    BeamEngine(BeamEngine&&) noexcept;
+
+    /// Adds to the sampler what pixel (x, y), whose `stone_at` is `stone`, sees, as precisely as
+    /// about `samples` rays would.
+    void pixel(int x, int y, int stone, int samples, std::uint64_t seed, Sampler& sampler);
+
+    [[nodiscard]] std::uint64_t events() const;
+
+    struct Kernels;
+
+private:
+    std::unique_ptr<Kernels> kernels_;
+};
+
+}  // namespace icespar

@@ -1,0 +1,156 @@
+// Pictures by beams against pictures by rays, which are the reference.
+#include <catch2/catch.hpp>
+
+#include "support/gem_scenes.hpp"
+
+using namespace icespar;
+using namespace icespar::testing;
+using Catch::Matchers::WithinAbs;
+
+namespace {
+
+constexpr int runs = 6;
+
+struct Estimate {
+    std::vector<double> mean, variance;  ///< of each pixel and channel; variance of the mean
+    double picture = 0, picture_variance = 0;
+};
+
+/// Independent pictures by one engine.
+Estimate estimated(const Scene& scene, Engine engine, int samples, int size, bool stokes = false) {
+    Estimate out;
+    std::vector<double> squares;
+    double sum = 0, square = 0;
+    for (int run = 0; run < runs; ++run) {
+        RenderOptions options = small(size, samples);
+        options.engine = engine;
+        options.stokes = stokes;
+        options.seed = static_cast<std::uint64_t>(100 + run);
+        const Rendering r = render(scene, options);
+        REQUIRE(r.report.engine == engine);
+        const auto& values = stokes ? r.image.rgb_stokes : r.image.rgb;
+        out.mean.resize(values.size());
+        squares.resize(values.size());
+        double mean = 0;
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            out.mean[i] += values[i] / double(runs);
+            squares[i] += double(values[i]) * values[i] / double(runs);
+            mean += values[i] / static_cast<double>(values.size());
+        }
+        sum += mean / runs;
+        square += mean * mean / runs;
+    }
+    for (std::size_t i = 0; i < squares.size(); ++i) {
+        out.variance.push_back(std::max(0.0, squares[i] - out.mean[i] * out.mean[i]) / (runs - 1));
+    }
+    out.picture = sum;
+    out.picture_variance = std::max(0.0, square - sum * sum) / (runs - 1);
+    return out;
+}
+
+void compare(const Scene& scene, int rays, int beams, int size, bool stokes = false) {
+    const Estimate a = estimated(scene, Engine::rays, rays, size, stokes),
+                   b = estimated(scene, Engine::beams, beams, size, stokes);
+    const double z =
+        (a.picture - b.picture) / std::sqrt(a.picture_variance + b.picture_variance + 1e-14);
+    CAPTURE(a.picture, b.picture, z);
+    CHECK(std::abs(z) < 6);
+    // Every pixel, with a bound for the largest of them all (Student's t for the few runs).
+    double worst = 0;
+    for (std::size_t i = 0; i < a.mean.size(); ++i) {
+        const double d = a.mean[i] - b.mean[i];
+        worst = std::max(worst, d * d / (a.variance[i] + b.variance[i] + 1e-7));
+    }
+    CAPTURE(std::sqrt(worst));
+    CHECK(std::sqrt(worst) < 16);
+}
+
+Scene lit(Scene scene) {
+    scene.environment.discs.push_back(
+        {normalised({1, 2, 4}), std::cos(12 * degree), Spectrum(5.0)});
+    scene.environment.discs.push_back({{0, 0, 1}, std::cos(4 * degree), Spectrum(5.0)});
+    return scene;
+}
+
+}  // namespace
+
+TEST_CASE("beams and rays make the same picture of a stone below a sky with lamps",
+          "[beams][statistics]") {
+    const int kind = GENERATE(0, 1, 2);
+    const Crystal crystal = kind == 0   ? glass(2.417)
+                            : kind == 1 ? zircon(normalised({2, 1, 1}))
+                                        : calcite({0, 0, 1});
+    CAPTURE(kind);
+    compare(lit(picture_scene(crystal, slope(normalised({1, 2, 4})))), 256, 64, 12);
+}
+
+TEST_CASE("beams and rays agree on the polarisation of a picture", "[beams][statistics]") {
+    compare(lit(picture_scene(calcite(normalised({2, 1, 1})), slope({1, 0, 0}))), 128, 32, 10,
+            true);
+}
+
+TEST_CASE("beams and rays agree on a dispersive stone in a parallel view", "[beams][statistics]") {
+    Crystal diamond{{IndexFunction::cauchy(2.3784, 0.0134)}, {0, 0, 1}};
+    Scene scene = lit(picture_scene(diamond, slope(normalised({1, 2, 4}))));
+    scene.camera.kind = Camera::Kind::orthographic;
+    scene.camera.right = {2.2, 0, 0};
+    scene.camera.up = {0, 2.2, 0};
+    compare(scene, 256, 64, 12);
+}
+
+TEST_CASE("beams that leave a stone go on as rays to what stands around", "[beams][statistics]") {
+    Scene scene = lit(picture_scene(calcite({0, 0, 1}), slope({0, 1, 0})));
+    Thing floor;
+    floor.shape = PlaneShape{};
+    // The plane y = 0 turned to z = -1.2.
+    floor.to_world = {{Vec3{1, 0, 0}, Vec3{0, 0, -1}, Vec3{0, 1, 0}}, {0, 0, -1.2}};
+    floor.pigment.kind = Pigment::Kind::checker;
+    floor.pigment.to_pattern = Transform::scaling({2, 2, 2});
+    floor.finish = {0.5, 0.5};
+    scene.things.push_back(floor);
+    scene.gems.push_back(
+        {cube_stone().transformed(Transform::translation({2.2, 0, 0})), glass(1.6), "cube"});
+    compare(scene, 256, 64, 12);
+}
+
+TEST_CASE("the size of a stone and its place change no picture by beams", "[beams]") {
+    const Scene scene = lit(picture_scene(zircon(normalised({2, 1, 1})), slope({1, 0, 0})));
+    const auto picture = [&](double scale, const Vec3& by) {
+        Scene moved = scene;
+        Gem& gem = moved.gems[0];
+        gem.stone = gem.stone.transformed(
+            Transform::scaling({scale, scale, scale}).then(Transform::translation(by)));
+        Camera& c = moved.camera;
+        c.location = scale * c.location + by;
+        c.direction = scale * c.direction;
+        c.right = scale * c.right;
+        c.up = scale * c.up;
+        RenderOptions options = small(16, 16);
+        options.engine = Engine::beams;
+        return render(moved, options).image.rgb;
+    };
+    const auto here = picture(1, {});
+    const auto worst = [&](const std::vector<float>& other) {
+        // Roulette may turn on a rounding: a few pixels differ by their noise.
+        std::vector<double> all;
+        for (std::size_t i = 0; i < here.size(); ++i) {
+            all.push_back(std::abs(double(here[i]) - other[i]));
+        }
+        std::sort(all.begin(), all.end());
+        return all[all.size() * 9 / 10];
+    };
+    CHECK(worst(picture(1e-3, {})) < 1e-6);
+    CHECK(worst(picture(1e6, {})) < 1e-6);
+    CHECK(worst(picture(1, {1e6, -1e6, 1e6})) < 1e-4);
+}
+
+TEST_CASE("any number of threads makes the same picture by beams, bit for bit", "[beams]") {
+    const Scene scene = lit(picture_scene(calcite({0, 0, 1}), slope({1, 0, 0})));
+    RenderOptions options = small(40, 8);
+    options.engine = Engine::beams;
+    const auto one = render(scene, options).image.rgb;
+    for (const int threads : {2, 7}) {
+        options.threads = threads;
+        CHECK(render(scene, options).image.rgb == one);
+    }
+}
