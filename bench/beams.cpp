@@ -6,7 +6,7 @@
 #include <numbers>
 #include <string>
 
-#include "parser/load.hpp"
+#include "designs/design.hpp"
 #include "render/render.hpp"
 
 using namespace icespar;
@@ -27,7 +27,7 @@ Vec3 turned(const Vec3& v, double angle) {
 Scene brilliant(const std::string& kind) {
     Scene scene;
     std::vector<FacetPlane> planes =
-        read_design(ICESPAR_SCENES_DIR "/designs/srb_tolkowsky_diamond.asc").planes;
+        read_design(ICESPAR_SCENES_DIR "/designs/srb_tolkowsky_diamond.asc").planes();
     for (FacetPlane& p : planes) p.normal = turned(p.normal, 12 * degree);
     const Vec3 axis = turned({0, 0, 1}, 12 * degree);
     Crystal crystal;
@@ -60,7 +60,7 @@ Scene brilliant(const std::string& kind) {
 
 struct Picture {
     std::vector<float> rgb;
-    double seconds, events;
+    double seconds, events, error;
 };
 
 Picture picture(const Scene& scene, int size, int samples, std::uint64_t seed, Engine engine,
@@ -74,7 +74,8 @@ Picture picture(const Scene& scene, int size, int samples, std::uint64_t seed, E
     o.stokes = stokes;
     const double start = cpu_seconds();
     Rendering r = render(scene, o);
-    return {std::move(r.image.rgb), cpu_seconds() - start, static_cast<double>(r.report.events)};
+    return {std::move(r.image.rgb), cpu_seconds() - start, static_cast<double>(r.report.events),
+            r.report.error};
 }
 
 double rms(const Picture& x, const Picture& a, const Picture& b) {
@@ -102,15 +103,15 @@ int main(int argc, char** argv) {
     const Picture a = picture(scene, size, reference, 101, truth, false),
                   b = picture(scene, size, reference, 102, truth, false);
     double mean = 0;
-    for (const float v : a.rgb) mean += v;
-    std::printf("# reference %.2f s, mean %.4f\n", a.seconds,
-                mean / static_cast<double>(a.rgb.size()));
-    std::printf("kind,engine,samples,cpu_seconds,rmse,events,ns_per_event\n");
+    for (const float v : a.rgb) mean += v / static_cast<double>(a.rgb.size());
+    std::printf("# reference %.2f s, mean %.4f\n", a.seconds, mean);
+    std::printf("kind,engine,samples,cpu_seconds,rmse,estimated_rmse,events,ns_per_event\n");
     for (int samples = 1; samples <= 1 << doublings; samples *= 2) {
         const Picture p = picture(scene, size, samples, static_cast<std::uint64_t>(samples),
                                   rays ? Engine::rays : Engine::beams, stokes);
-        std::printf("%s,%s,%d,%.3f,%.5f,%.0f,%.0f\n", kind.c_str(), rays ? "rays" : "beams",
-                    samples, p.seconds, rms(p, a, b), p.events, 1e9 * p.seconds / p.events);
+        std::printf("%s,%s,%d,%.3f,%.5f,%.5f,%.0f,%.0f\n", kind.c_str(), rays ? "rays" : "beams",
+                    samples, p.seconds, rms(p, a, b), p.error * mean, p.events,
+                    1e9 * p.seconds / p.events);
         std::fflush(stdout);
     }
 }

@@ -1,7 +1,9 @@
 // Which beams are worth following: systematic roulette, the same for any number of threads.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 
 #include "math/random.hpp"
@@ -17,6 +19,7 @@ class Roulette {
 public:
     void begin(std::uint64_t seed, double threshold) {
         threshold_ = threshold;
+        for (Depth& d : depths_) d = {};
         random_ = Random(seed);
         for (double& s : sums_) s = random_.uniform();
     }
@@ -30,6 +33,7 @@ public:
             return random_.uniform() < survival ? 1 / survival : 0;
         }
         if (survival == 1) return 1;
+        depths_[static_cast<std::size_t>(hits)].expected += survival;
         double& sum = sums_[static_cast<std::size_t>(hits)];
         sum += survival;
         if (sum < 1) return 0;
@@ -37,13 +41,41 @@ public:
         return 1 / survival;
     }
 
-    [[nodiscard]] double threshold() const { return threshold_; }
+    /// What came of a survivor among beams that owe nothing to earlier chance.
+    void saw(int hits, double light) {
+        if (hits >= static_cast<int>(sums_.size())) return;
+        Depth& d = depths_[static_cast<std::size_t>(hits)];
+        if (d.survivors > 0) d.differences += (light - d.last) * (light - d.last);
+        d.last = light;
+        d.sum += light;
+        ++d.survivors;
+    }
+
+    /// Estimated variance of the sum over all survivors: in each depth by successive differences,
+    /// as for any systematic sample (Cochran 1977, 8.11), and by how much the number of survivors
+    /// varies.
+    [[nodiscard]] double variance() const {
+        double sum = 0;
+        for (const Depth& d : depths_) {
+            if (d.survivors == 0) continue;
+            const double m = d.survivors, mean = d.sum / m;
+            if (d.survivors > 1) sum += 0.5 * d.differences * m / (m - 1);
+            const double rest = d.expected - std::floor(d.expected);
+            sum += mean * mean * rest * (1 - rest) / std::min(1.0, d.expected);
+        }
+        return sum;
+    }
 
 private:
     static constexpr double patience = 0.9;
     double threshold_ = 0;
     Random random_{0};
+    struct Depth {
+        double expected = 0, last = 0, sum = 0, differences = 0;
+        int survivors = 0;
+    };
     std::array<double, 128> sums_{};
+    std::array<Depth, 128> depths_{};
 };
 
 }  // namespace icespar

@@ -30,6 +30,9 @@ struct Leaf {
 ///   gain(weight, hits)  0 ends a beam of this area times power; a survivor's power is multiplied
 ///   may_meet(hits)      false: the beam ends before its next interface event
 ///   lose(weight)        a beam given up so
+///   open(), close(hits) around all that comes of a beam that survived by chance after so many
+///   hits,
+///                       and is not itself the offspring of such a one
 ///   see(leaf)
 template <class Response, bool birefringent>
 class BeamTracer {
@@ -50,12 +53,25 @@ public:
     void trace(const RayField& field, const Vec3& right, PolygonView polygon, int facet,
                Sink& sink) {
         enter(field, right, polygon, facet, sink);
+        bool chosen = false;
+        std::size_t base = 0;
+        int depth = 0;
         while (!beams_.empty()) {
             beam_ = beams_.back();
             beams_.pop_back();
+            if (beam_.chosen && !chosen) {
+                chosen = true;
+                base = beams_.size();
+                depth = beam_.hits;
+                sink.open();
+            }
             polygon_.assign(corners_.end() - beam_.corners, corners_.end());
             corners_.resize(corners_.size() - static_cast<std::size_t>(beam_.corners));
             advance(sink);
+            if (chosen && beams_.size() == base) {
+                chosen = false;
+                sink.close(depth);
+            }
         }
         bases_.clear();
     }
@@ -73,6 +89,7 @@ private:
         int left;  ///< the facet just left
         int hits;
         bool extraordinary;
+        bool chosen;  ///< it, or one it comes from, survived by chance
         int corners;  ///< on top of the stack of corners, relative to `centre`
         int bases;    ///< facets whose fragments have been cut off already: a chain in bases_
     };
@@ -88,8 +105,13 @@ private:
         if (!sink.may_meet(beam_.hits)) return sink.lose(weight);
         const double gain = sink.gain(weight, beam_.hits);
         if (gain == 0) return;
-        if (gain != 1) beam_.response.scale(gain);
+        const bool before = beam_.chosen;
+        if (gain != 1) {
+            beam_.response.scale(gain);
+            beam_.chosen = true;
+        }
         push(beam_, polygon_);
+        beam_.chosen = before;
     }
 
     void push(Beam& beam, PolygonView polygon) {

@@ -56,6 +56,10 @@ std::string BeamScene::obstacle(const Scene& scene) {
     return "its stones absorb, turn polarisation or are biaxial";
 }
 
+bool BeamScene::tells_error() const {
+    return stones_->sky_only && !world_.scene().gems[0].crystal.dispersive();
+}
+
 int BeamScene::stone_at(int x, int y) const {
     int found = -1;
     for (std::size_t i = 0; i < stones_->footprints.size(); ++i) {
@@ -70,8 +74,8 @@ int BeamScene::stone_at(int x, int y) const {
 
 struct BeamEngine::Kernels {
     virtual ~Kernels() = default;
-    virtual void pixel(int x, int y, int stone, int samples, std::uint64_t seed,
-                       Sampler& sampler) = 0;
+    virtual double pixel(int x, int y, int stone, int samples, std::uint64_t seed,
+                         Sampler& sampler) = 0;
     [[nodiscard]] virtual std::uint64_t events() const = 0;
 };
 
@@ -121,6 +125,10 @@ public:
           height_(height),
           walker_(world, palette, false),
           sky_(world.scene().environment) {
+        const auto add = [&](const Emitter& e) { lights_.push_back(xyz_from_rgb(e.rgb)[1]); };
+        add(palette.below);
+        add(palette.above);
+        for (const Emitter& e : palette.discs) add(e);
         for (std::size_t i = 0; i < stones.facets.size(); ++i) {
             if (world.scene().gems[i].crystal.birefringent()) {
                 tracers_.emplace_back(std::in_place_type<Uniaxial>, stones.facets[i]);
@@ -130,8 +138,8 @@ public:
         }
     }
 
-    void pixel(int x, int y, int stone, int samples, std::uint64_t seed,
-               Sampler& sampler) override {
+    double pixel(int x, int y, int stone, int samples, std::uint64_t seed,
+                 Sampler& sampler) override {
         sampler_ = &sampler;
         samples_ = samples;
         threshold_ = 1.0 / samples;
@@ -143,7 +151,8 @@ public:
         if (stone == BeamScene::sky) {
             field_ = pixel_field(scene.camera, width_, height_, x, y, {});
             background(pixel_square);
-            return flush(false);
+            flush(false);
+            return 0;
         }
         gem_ = stone;
         const auto g = static_cast<std::size_t>(stone);
@@ -156,7 +165,8 @@ public:
         if (!crystal.dispersive()) {
             roulette_.begin(seed, threshold_);
             trace_stone(crystal, longest_nm);
-            return flush(false);
+            flush(false);
+            return stones_.sky_only ? roulette_.variance() : -1;
         }
         flush(false);
         dispersive_ = true;
@@ -168,6 +178,7 @@ public:
             trace_stone(crystal, sampler.wavelength_nm());
             flush(true);
         }
+        return -1;
     }
 
     [[nodiscard]] std::uint64_t events() const override {
@@ -183,6 +194,8 @@ public:
         return most == 0 || hits < most;
     }
     void lose(double weight) { sampler_->dropped += share_ * weight; }
+    void open() { opened_ = sky_.luminance(lights_); }
+    void close(int hits) { roulette_.saw(hits, sky_.luminance(lights_) - opened_); }
     void see(const Leaf<Response>& leaf) {
         if (stones_.sky_only) {
             sky_.add(leaf.k, leaf.polygon, leaf.area, leaf.response.unpolarised());
@@ -261,6 +274,8 @@ private:
     int width_, height_;
     Walker<Sampler> walker_;
     SkySum sky_;
+    std::vector<double> lights_;  ///< luminances
+    double opened_ = 0;
     std::vector<std::variant<Isotropic, Uniaxial>> tracers_;
     Roulette roulette_;
     Sampler* sampler_ = nullptr;
@@ -288,8 +303,9 @@ BeamEngine::BeamEngine(const BeamScene& scene, const Palette& palette, bool stok
 BeamEngine::~BeamEngine() = default;
 BeamEngine::BeamEngine(BeamEngine&&) noexcept = default;
 
-void BeamEngine::pixel(int x, int y, int stone, int samples, std::uint64_t seed, Sampler& sampler) {
-    kernels_->pixel(x, y, stone, samples, seed, sampler);
+double BeamEngine::pixel(int x, int y, int stone, int samples, std::uint64_t seed,
+                         Sampler& sampler) {
+    return kernels_->pixel(x, y, stone, samples, seed, sampler);
 }
 
 std::uint64_t BeamEngine::events() const { return kernels_->events(); }

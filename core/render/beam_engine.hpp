@@ -21,6 +21,9 @@ public:
     [[nodiscard]] static std::string obstacle(const Scene& scene);
 
     enum Kind { by_rays = -2, sky = -1 };
+    /// Whether a single pass can tell its own error.
+    [[nodiscard]] bool tells_error() const;
+
     /// The stone that beams may enter from this pixel. by_rays: there is none but other things, or
     /// several, or something may stand in front of it.
     [[nodiscard]] int stone_at(int x, int y) const;
@@ -41,9 +44,10 @@ public:
     ~BeamEngine();
     BeamEngine(BeamEngine&&) noexcept;
 
-    /// Adds to the sampler what pixel (x, y), whose `stone_at` is `stone`, sees, as precisely as
-    /// about `samples` rays would.
-    void pixel(int x, int y, int stone, int samples, std::uint64_t seed, Sampler& sampler);
+    /// Adds to the sampler what pixel (x, y), whose `stone_at` is `stone`, sees, following beams of
+    /// at least 1 / samples of its light. Returns the estimated variance of its luminance, or -1
+    /// where only other passes can tell.
+    double pixel(int x, int y, int stone, int samples, std::uint64_t seed, Sampler& sampler);
 
     [[nodiscard]] std::uint64_t events() const;
 

@@ -60,7 +60,7 @@ bool Film::add(int x, int y, const std::vector<double>& sample, int weight) {
     return true;
 }
 
-void Film::end_pass(int x, int y) {
+void Film::end_pass(int x, int y, double variance) {
     const std::size_t p = pixel(x, y);
     Spread& s = spread_[p];
     const double total =
@@ -68,6 +68,10 @@ void Film::end_pass(int x, int y) {
     const int weight = samples_[p] - s.samples;
     if (weight == 0) return;
     s.squares += (total - s.before) * (total - s.before) / weight;
+    if (variance >= 0) {
+        s.known += variance * weight * weight;
+        ++s.told;
+    }
     s.before = total;
     s.samples = samples_[p];
     ++s.passes;
@@ -78,8 +82,13 @@ double Film::error() const {
     for (std::size_t p = 0; p < spread_.size(); ++p) {
         const Spread& s = spread_[p];
         const double passes = s.passes, samples = s.samples;
-        if (passes < 2) return 0;
+        const bool told = s.passes > 0 && s.told == s.passes;
+        if (passes < 2 && !told) return 0;
         mean += s.before / samples;
+        if (told) {
+            variance += s.known / (samples * samples);
+            continue;
+        }
         // A pass of weight w has the variance of one sample over w.
         const double of_one = (s.squares - s.before * s.before / samples) / (passes - 1);
         variance += std::max(0.0, of_one) / samples;

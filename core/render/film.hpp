@@ -38,17 +38,18 @@ public:
     [[nodiscard]] int width() const { return width_; }
     [[nodiscard]] int height() const { return height_; }
 
-    /// Adds one sample, which counts as `weight` of them: channels() x components() values. Returns false, and adds nothing, when one
-    /// of them is not finite or beyond 1e30.
+    /// Adds one sample, which counts as `weight` of them: channels() x components() values. Returns
+    /// false, and adds nothing, when one of them is not finite or beyond 1e30.
     bool add(int x, int y, const std::vector<double>& sample, int weight = 1);
 
     /// Ends a pixel's pass: a run of samples that cover pixel and spectrum evenly together.
-    void end_pass(int x, int y);
+    /// `variance` of the mean luminance of the pass's samples, where it is known (not negative).
+    void end_pass(int x, int y, double variance = -1);
 
     /// Relative RMS error of the picture's luminance: the root of the mean variance of the pixels
     /// over the mean luminance, the variance estimated from how much passes differ, since
-    /// samples within a pass are not independent. 0 with fewer than 2 passes or for a black
-    /// picture.
+    /// samples within a pass are not independent, unless every pass told its own. 0 with fewer than
+    /// 2 passes or for a black picture.
     [[nodiscard]] double error() const;
 
     [[nodiscard]] Image image() const;
@@ -63,7 +64,8 @@ private:
     struct Spread {
         double before = 0;   ///< luminance summed over the passes that ended
         double squares = 0;  ///< of each pass's sum, over the pass's weight
-        int passes = 0, samples = 0;
+        double known = 0;    ///< variance of `before`, as far as the passes told
+        int passes = 0, samples = 0, told = 0;
     };
     std::vector<double> sums_;
     std::vector<Spread> spread_;

@@ -64,19 +64,26 @@ void check(const Scene& scene, const RenderOptions& o) {
     }
 }
 
-/// Samples in the next pass. Rays go by passes of eight; against the clock the first goes by single
-/// samples, to have a whole picture soon. Error falls faster with one long pass of beams than with
-/// several short ones, but only two passes tell how far they may be trusted.
-int next_pass(bool beams, int done, int wanted, bool clock) {
-    int count = samples_per_pass;
-    if (clock && done < samples_per_pass) {
-        count = 1;
-    } else if (beams && wanted > 0) {
-        count = done == 0 ? std::max(1, wanted / 4) : wanted;
-    } else if (beams) {
-        count = std::max(samples_per_pass, 2 * done);
+/// Samples in the next pass by rays: eight; against the clock the first pass goes by single
+/// samples, to have a whole picture soon.
+int next_ray_pass(const RenderOptions& o, int done) {
+    return o.seconds > 0 && done < samples_per_pass ? 1 : samples_per_pass;
+}
+
+/// Error falls faster with one long pass of beams than with several short ones. Where a pass cannot
+/// tell its own error, the first is a short one, and the difference tells.
+int next_beam_pass(const RenderOptions& o, int done, int wanted, double error, bool tells_error) {
+    constexpr double slope = 0.8;  // error falls as samples^-slope (bench/beams.cpp)
+    if (done == 0) {
+        if (wanted > 0 && tells_error) return wanted;
+        return wanted > 0 ? std::max(1, wanted / 4) : samples_per_pass;
     }
-    return wanted > 0 ? std::min(count, wanted - done) : count;
+    if (wanted > 0) return wanted;
+    double factor = 2;
+    if (o.error > 0 && error > 0) factor = 1.1 * std::pow(error / o.error, 1 / slope);
+    constexpr double most = 1 << 28;
+    return static_cast<int>(
+        std::min(most, done * std::clamp(factor, 1.0, o.seconds > 0 ? 2.0 : 16.0)));
 }
 
 }  // namespace
@@ -126,12 +133,13 @@ Rendering render(const Scene& scene, const RenderOptions& options,
                 if (stone != BeamScene::by_rays) {
                     const auto number = static_cast<std::uint64_t>(first_sample);
                     w.sampler.dropped = w.sampler.absorbed = 0;
-                    w.beams->pixel(x, y, stone, count, mixed(pixel ^ mixed(number)), w.sampler);
+                    const double variance =
+                        w.beams->pixel(x, y, stone, count, mixed(pixel ^ mixed(number)), w.sampler);
                     if (!film.add(x, y, w.sampler.sample, count)) ++w.bad;
                     dropped[static_cast<std::size_t>(index)] += count * w.sampler.dropped;
                     absorbed[static_cast<std::size_t>(index)] += count * w.sampler.absorbed;
                     paths[static_cast<std::size_t>(index)] += static_cast<std::uint64_t>(count);
-                    film.end_pass(x, y);
+                    film.end_pass(x, y, variance);
                     continue;
                 }
                 for (int i = first_sample; i < first_sample + count; ++i) {
@@ -159,8 +167,10 @@ Rendering render(const Scene& scene, const RenderOptions& options,
     int batch = 4 * arena.max_concurrency();
     bool enough = false;
     while (!report.interrupted && !enough) {
-        const int count =
-            next_pass(beams.has_value(), report.samples, samples, options.seconds > 0);
+        int count = beams ? next_beam_pass(options, report.samples, samples, report.error,
+                                           beams->tells_error())
+                          : next_ray_pass(options, report.samples);
+        if (samples > 0) count = std::min(count, samples - report.samples);
         int end = 0;
         for (int begin = 0; begin < tiles && !report.interrupted; begin = end) {
             end = std::min(begin + batch, tiles);

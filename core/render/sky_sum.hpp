@@ -17,16 +17,25 @@ public:
     /// `k`: unit wave vectors over the polygon, whose centroid is the origin.
     void add(const Expansion& k, PolygonView polygon, double area, const Stokes& response);
 
+    /// Luminance of the sums so far, for lights of these luminances: below, above, then the discs.
+    [[nodiscard]] double luminance(const std::vector<double>& lights) const {
+        double sum = lights[0] * below_.s0 + lights[1] * above_.s0;
+        for (std::size_t i = 0; i < discs_.size(); ++i) sum += lights[2 + i] * discs_[i].s0;
+        return sum;
+    }
+
     /// Hands the sums to the sampler, times `share`, and starts anew.
     void flush(const Palette& palette, double share, bool one_wavelength, Sampler& sampler);
 
 private:
-    [[nodiscard]] double part_within(const Affine& inside, PolygonView polygon, double area);
+    /// Area of the part of a polygon whose directions lie in a disc. `halvings` of the polygon are
+    /// left, for a lamp's edge to be straight within each piece.
+    [[nodiscard]] double within(const Disc& disc, const Expansion& k, PolygonView polygon,
+                                double area, int halvings) const;
 
     const Environment& sky_;
     Stokes below_, above_;
     std::vector<Stokes> discs_;
-    Polygon within_;
 };
 
 }  // namespace icespar
