@@ -44,7 +44,7 @@ TEST_CASE("an error bound is kept, and the estimate is of the size of the true e
     options.seed = 77;
     options.error = 0.006;
     const Rendering fine = render(scene, options);
-    CHECK(fine.report.samples > 5 * out.report.samples);
+    CHECK(fine.report.samples > 3 * out.report.samples);
     double squares = 0, mean = 0;
     const auto pixels = static_cast<double>(fine.image.rgb.size() / 3);
     const auto luminance = [](const Image& image, std::size_t p) {
