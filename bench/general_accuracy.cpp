@@ -1,8 +1,9 @@
 // Error of the general solver against the Maxwell reference, per kind of hard case, and the worst
-// ten: general_accuracy [count] [seed].
+// ten: general_accuracy [count] [seed] [kind].
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <string>
 #include <vector>
 
 #include "support/general_cases.hpp"
@@ -12,6 +13,7 @@ using namespace icespar::testing;
 int main(int argc, char** argv) {
     const int count = argc > 1 ? std::atoi(argv[1]) : 1000;  // of each kind
     const unsigned long long seed = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 1;
+    const std::string only = argc > 3 ? argv[3] : "";
     struct Entry {
         GeneralDiscrepancy found;
         const char* kind;
@@ -22,6 +24,7 @@ int main(int argc, char** argv) {
     std::printf("%-32s %9s %6s\n", "kind", "excess", "fail");
     for (int kind = 0; kind < static_cast<int>(GeneralStress::count); ++kind) {
         const auto stress = static_cast<GeneralStress>(kind);
+        if (!only.empty() && only != name(stress)) continue;
         Random random(seed * 1000 + static_cast<unsigned long long>(kind));
         double largest = 0;
         int failed = 0;

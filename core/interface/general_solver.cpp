@@ -6,6 +6,7 @@
 
 #include "interface/half_space.hpp"
 #include "interface/incident_wave.hpp"
+#include "math/error.hpp"
 
 namespace icespar {
 namespace {
@@ -45,6 +46,17 @@ std::array<Vector3<std::complex<R>>, 2> completed(const Field4<R>& f, const Medi
     return {Vector3<C>{f[0], f[1], ez}, Vector3<C>{f[2], f[3], b + i * azz * ez}};
 }
 
+/// The field f in the phase of `model`.
+template <class R>
+Field4<R> in_phase(Field4<R> f, const Field4<R>& model) {
+    std::complex<R> overlap = 0;
+    for (std::size_t i = 0; i < 4; ++i) overlap += std::conj(f[i]) * model[i];
+    const R size = std::abs(overlap);
+    if (size == 0) return f;
+    for (auto& x : f) x *= overlap / size;
+    return f;
+}
+
 /// Energy that two fields carry along the normal only together.
 template <class R>
 R mixed_flux(const Field4<R>& a, const Field4<R>& b) {
@@ -62,31 +74,30 @@ bool GeneralSolver::solve_in(Interface& out, const Medium& from, const Medium& t
     constexpr bool is_double = std::is_same_v<R, double>;
     IncidentWave<R> in(frame, incident);
     if constexpr (!is_double) in = IncidentWave<R>::refined(from, frame, incident);
-    // The incident wave of an absorbing medium has a complex tangential part.
-    if (!from.absorbing) in.K = in.K.real();
+    // The incident wave of an absorbing medium has a complex tangential part, which must be a
+    // multiple of a real vector: then there are s and p.
+    if (!from.absorbing) {
+        in.K = in.K.real();
+    } else if (const C skew = dot(converted<C>(incident.k), in.axes.y);
+               std::abs(skew) > R(1e-10) * (std::abs(in.K) + std::abs(in.kn))) {
+        throw Error(
+            "an incident wave of an absorbing medium must fade along its wave normal or "
+            "within its plane of incidence; this one fades across it");
+    }
     const std::size_t given = mode_index(incident.mode);
     std::array<Field4<R>, 2> source{};
     source[given] = in.field;
     const Arriving<R> known{in.kn, given, in.field};
     const HalfSpace<R> near(from, in.axes, in.K, -1, &known), far(to, in.axes, in.K, +1, nullptr);
     if (is_double && std::min(near.separation, far.separation) < R(0.02)) return false;
-    if (near.incident_field) {
-        // In the phase of the field given.
-        C overlap = 0;
-        for (std::size_t i = 0; i < 4; ++i) {
-            overlap += std::conj((*near.incident_field)[i]) * source[given][i];
-        }
-        const R size = std::abs(overlap);
-        for (std::size_t i = 0; i < 4 && size > 0; ++i) {
-            source[given][i] = overlap / size * (*near.incident_field)[i];
-        }
-    }
+    if (near.incident_field) source[given] = in_phase<R>(*near.incident_field, in.field);
     const bool isotropic = from.symmetry == Symmetry::isotropic && !from.active();
     if (isotropic) {
         const C size = std::sqrt(std::norm(in.kn) + std::norm(in.K));
         const C eps = in.kn * in.kn + in.K * in.K;
         source[0] = {C(0), C(1), -in.kn, C(0)};
         source[1] = {-in.kn / size, C(0), C(0), -eps / size};
+        source[given] = in_phase<R>(source[given], in.field);
     }
     out.kt_ = Complex(in.K);
     const auto store = [](Interface::Side& side, const HalfSpace<R>& h) {
@@ -155,10 +166,10 @@ void GeneralSolver::solve(Interface& out, const Medium& from, const Medium& to,
 }
 
 void GeneralSolver::add_totals(const Interface& face, std::size_t m, Coefficients& out) {
-    // The waves of a transparent medium carry their energy independently.
+    // The waves of a transparent medium carry their energy independently, if K is real.
     out.reflected_total = face.from_.absorbing ? face.reflected_flux_[m]
                                                : out.reflected_power[0] + out.reflected_power[1];
-    out.transmitted_total = face.to_.absorbing
+    out.transmitted_total = face.to_.absorbing || face.from_.absorbing
                                 ? face.transmitted_flux_[m]
                                 : out.transmitted_power[0] + out.transmitted_power[1];
     out.interference = face.interference_[m];

@@ -6,6 +6,22 @@
 #include "interface/plane.hpp"
 
 namespace icespar {
+namespace {
+
+/// The root of square(K) that belongs to a complex K, by continuity from that of its real part:
+/// behind an absorbing medium neither decay nor energy flow alone tells which wave leaves.
+template <class C, class F>
+C followed(const F& square, C root, const C& K) {
+    constexpr int steps = 32;
+    for (int i = 1; i <= steps; ++i) {
+        const Real<C> t = Real<C>(i * i) / (steps * steps);
+        const C next = std::sqrt(square(C(K.real(), t * K.imag())));
+        root = std::norm(next - root) > std::norm(next + root) ? -next : next;
+    }
+    return root;
+}
+
+}  // namespace
 
 template <class R>
 HalfSpace<R>::HalfSpace(const Medium& medium, const FaceAxes<R>& face, const C& K, int sign,
@@ -53,11 +69,12 @@ void HalfSpace<R>::isotropic(const C& n, const C& K, int sign, const Arriving<R>
     if (known) {
         qs = -known->q;
     } else {
-        qs = std::sqrt(n - K) * std::sqrt(n + K);
-        // Decay decides; where K is complex, the branch that a real K of the same size would take.
-        const C at_real = std::sqrt(n - K.real()) * std::sqrt(n + K.real());
-        if (std::norm(qs - at_real) > std::norm(qs + at_real)) qs = -qs;
-        if (at_real.imag() < 0 || (at_real.imag() == 0 && at_real.real() < 0)) qs = -qs;
+        const C real_K = K.real();
+        qs = std::sqrt(n - real_K) * std::sqrt(n + real_K);
+        if (qs.imag() < 0 || (qs.imag() == 0 && qs.real() < 0)) qs = -qs;
+        if (K.imag() != 0) {
+            qs = followed([&](const C& k) { return (n - k) * (n + k); }, qs, K);
+        }
         qs = s * qs;
     }
     propagating[0] = propagating[1] = absorbing || K.imag() != 0 || qs.imag() == 0;
@@ -87,12 +104,18 @@ void HalfSpace<R>::uniaxial(const Medium& medium, const FaceAxes<R>& face, const
         };
         return score(root) >= score(-root) ? root : -root;
     };
-    const C qo_root = decaying(std::sqrt(n_o - K) * std::sqrt(n_o + K), C(0), C(1));
-    const C eg = eo + delta * (c.z * c.z);
-    const C X = delta * (c.z * c.x) * K;
-    C w2 = eo * (eg * (ee - K * K) - delta * (c.x * c.x) * K * K);
-    if (lossless) w2 = w2.real();
-    const C w = decaying(std::sqrt(w2), -X, eg);
+    const C real_K = K.real();
+    C qo_root = decaying(std::sqrt(n_o - real_K) * std::sqrt(n_o + real_K), C(0), C(1));
+    const C eg = eo + delta * (c.z * c.z), ex = delta * (c.z * c.x), X = ex * K;
+    const auto flow_squared = [&](const C& k) {
+        const C w2 = eo * (eg * (ee - k * k) - delta * (c.x * c.x) * k * k);
+        return lossless ? C(w2.real()) : w2;
+    };
+    C w = decaying(std::sqrt(flow_squared(real_K)), -ex * real_K, eg);
+    if (K.imag() != 0) {
+        qo_root = followed([&](const C& k) { return (n_o - k) * (n_o + k); }, qo_root, K);
+        w = followed(flow_squared, w, K);
+    }
     C o_out = qo_root, o_in = -qo_root, e_out = (w - X) / eg, e_in = (-w - X) / eg;
     if (known && known->mode == 0) o_in = known->q, o_out = -known->q;
     if (known && known->mode == 1) e_in = known->q, e_out = R(-2) * X / eg - known->q;

@@ -86,7 +86,7 @@ private:
     template <class T>
     bool separate_grazing(const Berreman<T>& b, const Matrix4<T>& square, const Quartic<T>& f,
                           const Factors<T>& factors, R scale, int sign, const Arriving<R>* known,
-                          bool absorbing);
+                          bool lossy, bool followed);
     void order_by_sheet(int sign, bool transparent);
     void set_mode(std::size_t i, const C& K, const C& normal_component, const Vector3<C>& field,
                   R sign);

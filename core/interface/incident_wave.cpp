@@ -63,7 +63,8 @@ IncidentWave<R> IncidentWave<R>::refined(const Medium& medium, const FaceFrame& 
     IncidentWave out;
     FaceAxes<R>& axes = out.axes;
     axes.z = normalised(converted<R>(frame.z));
-    const Vector3<R> x = frame.kt > 0 ? d - dot(d, axes.z) * axes.z : converted<R>(frame.x);
+    // k across the frame's x is left out: a rounding of the numbers given.
+    const Vector3<R> x = converted<R>(frame.x);
     axes.x = normalised(x - dot(x, axes.z) * axes.z);
     axes.y = cross(axes.z, axes.x);
     out.set(k, field, H);

@@ -216,7 +216,7 @@ Wave Interface::built(const Side& side, const MediumCore& medium, std::size_t i)
     Wave w;
     w.mode = modes_of(medium)[i];
     w.propagating = side.propagating[i];
-    if (w.propagating && medium.plain()) {
+    if (w.propagating && medium.plain() && !general_) {
         // All real.
         const CVec3& F = side.E[i];
         const Vec3 k = kt_.real() * x_ + side.q[i].real() * normal_,

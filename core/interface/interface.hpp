@@ -41,7 +41,8 @@ class Interface {
 public:
     /// `normal` (unit) points from medium `from` to medium `to`. `incident` is a propagating wave
     /// of `from` that carries energy towards the face (at grazing incidence its own k is more
-    /// precise than anything recovered from the tangential wave vector).
+    /// precise than anything recovered from the tangential wave vector). Throws Error for a wave of
+    /// an absorbing medium that fades across its plane of incidence.
     Interface(const Medium& from, const Medium& to, const Vec3& normal, const Wave& incident);
 
     /// Coefficients of the incident wave given, or of another wave with the same wave vector: in an

@@ -12,7 +12,7 @@ template <class R>
 template <class T>
 bool HalfSpace<R>::separate_grazing(const Berreman<T>& b, const Matrix4<T>& square,
                                     const Quartic<T>& f, const Factors<T>& factors, R scale,
-                                    int sign, const Arriving<R>* known, bool absorbing) {
+                                    int sign, const Arriving<R>* known, bool lossy, bool followed) {
     auto out = roots(factors.first), in = roots(factors.second);
     std::size_t a = 0, c = 0;
     for (std::size_t i = 0; i < two; ++i) {
@@ -23,6 +23,7 @@ bool HalfSpace<R>::separate_grazing(const Berreman<T>& b, const Matrix4<T>& squa
     // out[1] and in[1] are the pair that meets.
     if (a == 0) std::swap(out[0], out[1]);
     if (c == 0) std::swap(in[0], in[1]);
+    const C leaving_root = out[1];
     const R gap = std::abs(out[1] - in[1]);
     const R others = std::min({std::abs(out[0] - out[1]), std::abs(out[0] - in[1]),
                                std::abs(in[0] - out[1]), std::abs(in[0] - in[1])});
@@ -53,7 +54,7 @@ bool HalfSpace<R>::separate_grazing(const Berreman<T>& b, const Matrix4<T>& squa
         } else {
             in[1] = exact;
         }
-    } else if (absorbing) {
+    } else if (lossy) {
         refine(C{});
     } else {
         refine(R{});
@@ -101,12 +102,12 @@ bool HalfSpace<R>::separate_grazing(const Berreman<T>& b, const Matrix4<T>& squa
     // M = middle + N; without loss the flow's form times N is Hermitian, which rounding must not
     // spoil where N itself is but rounding.
     C middle = R(0.5) * (M[0][0] + M[1][1]);
-    if (!absorbing) middle = middle.real();
+    if (!lossy) middle = middle.real();
     C N[2][2] = {{M[0][0] - middle, M[0][1]}, {M[1][0], M[1][1] - middle}};
     const R p = flow(B[0], B[0]).real(), r = flow(B[1], B[1]).real();
     const C o = flow(B[0], B[1]);
     const R form = p * r - std::norm(o);
-    if (!absorbing) {
+    if (!lossy) {
         const R w0 = (p * N[0][0] + o * N[1][0]).real(),
                 w1 = (std::conj(o) * N[0][1] + r * N[1][1]).real();
         const C w =
@@ -123,10 +124,10 @@ bool HalfSpace<R>::separate_grazing(const Berreman<T>& b, const Matrix4<T>& squa
     C root;  // q_out - middle
     if (exact) {
         root = middle - in[1];
-        if (!absorbing) root = root.real();
+        if (!lossy) root = root.real();
     } else {
         const C half = R(0.5) * (N[0][0] - N[1][1]), square_root = half * half + N[0][1] * N[1][0];
-        root = std::sqrt(absorbing ? square_root : C(square_root.real()));
+        root = std::sqrt(lossy ? square_root : C(square_root.real()));
         in[1] = middle - root;
     }
     out[1] = middle + root;
@@ -142,7 +143,7 @@ bool HalfSpace<R>::separate_grazing(const Berreman<T>& b, const Matrix4<T>& squa
     };
     Field leaving = column(root), arriving = column(-root);
     R incident = 0, returned = 0;  // energy flows of `arriving` and `leaving`
-    if (exact && !absorbing) {
+    if (exact && !lossy) {
         // What leaves beside the given wave is orthogonal to it in the energy flow, an indefinite
         // form on this plane; its own flow is that of the given wave times the determinant.
         const C x = known->field[plane.pivot[0]] / (plane.pivot[0] < 2 ? R(1) : scale),
@@ -160,7 +161,11 @@ bool HalfSpace<R>::separate_grazing(const Berreman<T>& b, const Matrix4<T>& squa
             const R size = std::norm(v[0]) + std::norm(v[1]) + std::norm(v[2]) + std::norm(v[3]);
             return R(sign) * (kn.imag() + flow(v, v).real() / size);
         };
-        if (outward(leaving, out[1]) < outward(arriving, in[1])) {
+        // Behind an absorbing medium neither decides, but the factor the root was found in.
+        const bool backwards =
+            followed ? std::abs(out[1] - leaving_root) > std::abs(in[1] - leaving_root)
+                     : outward(leaving, out[1]) < outward(arriving, in[1]);
+        if (backwards) {
             std::swap(leaving, arriving);
             std::swap(out[1], in[1]);
         }
@@ -181,14 +186,14 @@ bool HalfSpace<R>::separate_grazing(const Berreman<T>& b, const Matrix4<T>& squa
         E[i] = {v[0] / size, v[1] / size, z_component(v) / size};
         psi[i] = {v[0] / size, v[1] / size, scale / size * v[2], scale / size * v[3]};
         propagating[i] =
-            absorbing || (i == 1 && !exact ? root.imag() == 0 : std::abs(out[i].imag()) < R(1e-13));
+            lossy || (i == 1 && !exact ? root.imag() == 0 : std::abs(out[i].imag()) < R(1e-13));
         flux[i] = propagating[i] ? std::max(R(sign) * normal_flux<R>(psi[i]), R(0)) : R(0);
     }
-    if (exact && !absorbing) {
+    if (exact && !lossy) {
         flux[1] = scale * returned / size2_of(leaving);
         incident_flux = scale * incident / size2_of(arriving);
     }
-    if (exact && !absorbing) {
+    if (exact && !lossy) {
         const R size = std::sqrt(size2_of(arriving));
         incident_field = Field{arriving[0] / size, arriving[1] / size, scale / size * arriving[2],
                                scale / size * arriving[3]};
@@ -205,18 +210,18 @@ template bool HalfSpace<double>::separate_grazing<double>(const Berreman<double>
                                                           const Matrix4<double>&,
                                                           const Quartic<double>&,
                                                           const Factors<double>&, double, int,
-                                                          const Arriving<double>*, bool);
+                                                          const Arriving<double>*, bool, bool);
 template bool HalfSpace<double>::separate_grazing<Complex>(const Berreman<Complex>&,
                                                            const Matrix4<Complex>&,
                                                            const Quartic<Complex>&,
                                                            const Factors<Complex>&, double, int,
-                                                           const Arriving<double>*, bool);
+                                                           const Arriving<double>*, bool, bool);
 template bool HalfSpace<long double>::separate_grazing<long double>(
     const Berreman<long double>&, const Matrix4<long double>&, const Quartic<long double>&,
-    const Factors<long double>&, long double, int, const Arriving<long double>*, bool);
+    const Factors<long double>&, long double, int, const Arriving<long double>*, bool, bool);
 template bool HalfSpace<long double>::separate_grazing<std::complex<long double>>(
     const Berreman<std::complex<long double>>&, const Matrix4<std::complex<long double>>&,
     const Quartic<std::complex<long double>>&, const Factors<std::complex<long double>>&,
-    long double, int, const Arriving<long double>*, bool);
+    long double, int, const Arriving<long double>*, bool, bool);
 
 }  // namespace icespar

@@ -34,16 +34,25 @@ Wave finished(const Medium& medium, Mode mode, const CVec3& k, const CVec3& E) {
 }
 
 /// Both waves of a wave normal: those that leave a face across it with no tangential wave vector.
-std::array<Wave, 2> waves_of_normal(const Medium& medium, const Vec3& direction) {
-    const Vec3 x = any_perpendicular(direction);
-    const FaceAxes<double> face{x, cross(direction, x), direction};
-    const HalfSpace<double> h(medium, face, 0.0, +1, nullptr);
+template <class R>
+std::array<Wave, 2> waves_of_normal_in(const Medium& medium, const Vec3& direction) {
+    const Vector3<R> z = normalised(converted<R>(direction)), x = any_perpendicular(z);
+    const FaceAxes<R> face{x, cross(z, x), z};
+    const HalfSpace<R> h(medium, face, 0, +1, nullptr);
+    if (std::is_same_v<R, double> && h.separation < R(0.02)) {
+        return waves_of_normal_in<long double>(medium, direction);
+    }
     const auto names = modes_of(medium);
     std::array<Wave, 2> out;
     for (std::size_t i = 0; i < 2; ++i) {
-        out[i] = finished(medium, names[i], h.q[i] * direction, face.from_face(h.E[i]));
+        out[i] = finished(medium, names[i], Complex(h.q[i]) * direction,
+                          converted<Complex>(face.from_face(h.E[i])));
     }
     return out;
+}
+
+std::array<Wave, 2> waves_of_normal(const Medium& medium, const Vec3& direction) {
+    return waves_of_normal_in<double>(medium, direction);
 }
 
 /// Both waves of a ray in a transparent medium without activity, by the dual of the wave-normal

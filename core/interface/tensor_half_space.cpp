@@ -15,23 +15,49 @@ namespace icespar {
 namespace {
 
 /// out(q) and in(q), with energy towards sign * normal going out: the limit of small loss tells
-/// which, for with loss just two waves decay each way.
+/// which, for with loss just two waves decay each way. Where K is complex, behind an absorbing
+/// medium, they are followed from its real part.
 template <class R>
 bool directed_factors(const LocalMedium<std::complex<R>>& medium, const std::complex<R>& K,
                       int sign, const Quartic<std::complex<R>>& truth,
                       Factors<std::complex<R>>& out) {
     using C = std::complex<R>;
+    const auto quartic = [](const LocalMedium<C>& m, const C& k) {
+        const Berreman<C> b(m, k);
+        return b.characteristic(product(b.d, b.d));
+    };
+    const bool real_K = K.imag() == 0;
+    const Quartic<C> first = real_K ? truth : quartic(medium, K.real());
     for (const double loss : {1e-4, 1e-6, 1e-2}) {
         LocalMedium<C> lossy = medium;
         lossy.eps = C(1, R(loss)) * lossy.eps;
-        const Berreman<C> b(lossy, K.real());
-        auto q = roots(b.characteristic(product(b.d, b.d)));
+        auto q = roots(quartic(lossy, K.real()));
         std::sort(q.begin(), q.end(),
                   [&](const C& x, const C& y) { return R(sign) * x.imag() > R(sign) * y.imag(); });
         out = {Quadratic<C>::from_roots(q[0], q[1]), Quadratic<C>::from_roots(q[2], q[3])};
-        if (polish(truth, out)) return true;
+        if (polish(first, out)) break;
     }
-    return true;
+    if (real_K) return true;
+    constexpr int steps = 32;
+    for (int i = 1; i < steps; ++i) {
+        const R t = R(i * i) / (steps * steps);
+        polish(quartic(medium, C(K.real(), t * K.imag())), out);
+    }
+    return polish(truth, out);
+}
+
+/// Sees to it that `known` is a root of the incoming factor: near grazing in an absorbing crystal
+/// continuity can count a wave among the others that carries energy towards the face.
+template <class C>
+void incoming(const C& known, Factors<C>& f) {
+    const auto value = [&](const Quadratic<C>& g) { return std::abs((known + g.b) * known + g.c); };
+    if (value(f.second) <= value(f.first)) return;
+    auto out = roots(f.first), in = roots(f.second);
+    const auto nearer = [&](const std::array<C, 2>& q) {
+        return std::abs(q[0] - known) < std::abs(q[1] - known) ? 0 : 1;
+    };
+    std::swap(out[nearer(out)], in[nearer(in)]);
+    f = {Quadratic<C>::from_roots(out[0], out[1]), Quadratic<C>::from_roots(in[0], in[1])};
 }
 
 }  // namespace
@@ -67,7 +93,9 @@ bool HalfSpace<R>::tensor(const Medium& medium, const FaceAxes<R>& face, const C
     }
     if (known) {
         const T exact = cast<T>(C(known->q / scale));
-        if constexpr (is_real) {
+        if constexpr (!is_real) {
+            if (medium.absorbing) incoming(exact, factors);
+        } else {
             // Four crossings of the outer sheet: the pairs are not the upper and the lower two.
             const auto& in = factors.second;
             if (std::abs((exact + in.b) * exact + in.c) > R(1e-8)) return false;
@@ -113,8 +141,9 @@ bool HalfSpace<R>::tensor(const Medium& medium, const FaceAxes<R>& face, const C
     if constexpr (is_real) {
         if (!both) return false;
     }
-    if (separate_grazing(b, square, f, factors, scale, sign, known, medium.absorbing)) {
-        order_by_sheet(sign, !medium.absorbing);
+    if (separate_grazing(b, square, f, factors, scale, sign, known, !transparent,
+                         K_given.imag() != 0)) {
+        order_by_sheet(sign, transparent);
         return true;
     }
     Eigen2<C> modes;
@@ -161,6 +190,8 @@ bool HalfSpace<R>::tensor(const Medium& medium, const FaceAxes<R>& face, const C
         propagating[i] = !transparent || solved || std::abs(q[i].imag()) < R(1e-10) * scale;
         flux[i] = propagating[i] ? std::max(s * normal_flux<R>(psi[i]), R(0)) : R(0);
     }
+    // Nearly equal indices: a perturbation keeps its digits, the rest does not.
+    if (!weak) separation = std::min(separation, 10 * std::abs(q[0] - q[1]) / scale);
     order_by_sheet(sign, transparent);
     return true;
 }

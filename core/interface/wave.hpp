@@ -28,7 +28,7 @@ enum class Mode { s, p, ordinary, extraordinary, fast, slow };
 struct Wave {
     Mode mode = Mode::s;
     bool propagating = true;  ///< false: evanescent, decays away from the face, carries no power;
-                              ///< true for every wave of an absorbing medium
+                              ///< true for every wave of, or lit from, an absorbing medium
     CVec3 k;                  ///< wave vector; real when propagating
     CVec3 E;                  ///< unit Hermitian norm
     CVec3 H;                  ///< k x E (+ i alpha E in an active medium)

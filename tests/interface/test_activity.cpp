@@ -4,7 +4,6 @@
 
 #include "interface/interface.hpp"
 #include "polarisation/stokes.hpp"
-#include "support/active_reference.hpp"
 #include "support/interface_cases.hpp"
 
 using namespace icespar;
@@ -94,41 +93,6 @@ TEST_CASE("waves in an active crystal obey Maxwell's equations", "[interface][ac
             CHECK(length(cross(w.k, w.H) + D) < 1e-13);
         }
     }
-}
-
-TEST_CASE("faces of active crystals agree with Maxwell in sixty digits",
-          "[interface][activity][reference]") {
-    Random random(32);
-    double worst = 0;
-    for (int i = 0; i < 300; ++i) {
-        const double size = random.power_of_ten(-6, -1);
-        Medium m =
-            Medium::uniaxial(1.3 + random.uniform(), 1.3 + random.uniform(), random.direction());
-        m.gyration = random.uniform(-1, 1) * size;
-        m.gyration_along = random.uniform(-1, 1) * size;
-        const Vec3 normal = random.direction();
-        Vec3 direction = random.direction();
-        if (dot(direction, normal) < 0) direction = -direction;
-        if (dot(direction, normal) < 0.01) continue;
-        const int mode = random.below(2);
-        const Wave in = plane_wave(Medium::isotropic(1), mode == 0 ? Mode::s : Mode::p, direction,
-                                   By::wave_normal, normal);
-        const Interface face(Medium::isotropic(1), m, normal, in);
-        const Coefficients a = face.solve(in);
-        const auto t = reference::into_active(
-            {m.n_o, m.n_e, m.gyration, m.gyration_along, {m.axis.x, m.axis.y, m.axis.z}},
-            {normal.x, normal.y, normal.z}, {direction.x, direction.y, direction.z}, mode);
-        for (std::size_t j = 0; j < 2; ++j) {
-            const double q = dot(real(face.transmitted(j).k), normal);
-            worst = std::max(worst, std::abs(q - static_cast<double>(t.q[j].real())));
-            worst =
-                std::max(worst, std::abs(a.transmitted_power[j] - static_cast<double>(t.power[j])));
-        }
-        worst =
-            std::max({worst, std::abs(a.reflected_power[0] - static_cast<double>(t.reflected_s)),
-                      std::abs(a.reflected_power[1] - static_cast<double>(t.reflected_p))});
-    }
-    CHECK(worst < 2e-11);
 }
 
 TEST_CASE("active crystals conserve energy and are reciprocal", "[interface][activity][energy]") {

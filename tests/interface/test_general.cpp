@@ -1,5 +1,5 @@
-// Faces of biaxial and absorbing media agree with Maxwell in sixty digits, conserve energy and can
-// be reversed; where the uniaxial solver applies too, the two agree.
+// Faces of biaxial, absorbing and active media agree with Maxwell in sixty digits, conserve energy
+// and can be reversed; where the uniaxial solver applies too, the two agree.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <sstream>
@@ -57,10 +57,10 @@ double distance(const Answer& a, const Answer& b) {
 
 }  // namespace
 
-TEST_CASE("faces of biaxial and absorbing media agree with Maxwell in sixty digits",
+TEST_CASE("faces of biaxial, absorbing and active media agree with Maxwell in sixty digits",
           "[interface][general][reference]") {
     for (int stress = 0; stress < static_cast<int>(GeneralStress::count); ++stress) {
-        check_kind(static_cast<GeneralStress>(stress), 30, 5);
+        check_kind(static_cast<GeneralStress>(stress), 10, 5);
     }
 }
 
@@ -68,21 +68,14 @@ TEST_CASE("no face of any two media creates or loses energy", "[interface][gener
     Random random(41);
     double worst = 0;
     std::string where;
-    for (int i = 0; i < 60000; ++i) {
+    for (int i = 0; i < 30000; ++i) {
         const auto stress =
             static_cast<GeneralStress>(random.below(static_cast<int>(GeneralStress::count)));
         const GeneralCase c = random_case(random, stress);
         const Wave in = c.incident();
         const Coefficients a = Interface(c.from.medium(), c.to.medium(), c.normal, in).solve(in);
-        // Beside an optic axis, and where both indices nearly agree, the fields of single waves are
-        // uncertain, and at grazing incidence or emergence what is taken for one wave is partly
-        // another that flows the other way.
-        const bool uncertain = stress == GeneralStress::optic_axis_incident ||
-                               stress == GeneralStress::optic_axis_refracted ||
-                               stress == GeneralStress::weak_biaxiality;
-        const double tolerance = uncertain ? 3e-11 : 1e-13;
-        double excess =
-            std::abs(a.reflected_total + a.transmitted_total - 1) * c.cos_ray / tolerance;
+        double excess = std::abs(a.reflected_total + a.transmitted_total + a.interference - 1) *
+                        c.cos_ray / 1e-13;
         for (std::size_t j = 0; j < 2; ++j) {
             if (a.reflected_power[j] < 0) excess = 1e9;
             if (a.transmitted_power[j] < 0) excess = 1e9;

@@ -32,7 +32,19 @@ const char* name(GeneralStress stress) {
         "absorbing triclinic",
         "weak absorption",
         "strong absorption",
-        "one lossy axis"};
+        "one lossy axis",
+        "near critical inside",
+        "matched index",
+        "absorbing incident",
+        "absorbing incident grazing",
+        "absorbing to absorbing",
+        "active second",
+        "active first",
+        "active both",
+        "weak activity",
+        "active near axis",
+        "active grazing",
+        "active near critical"};
     return names[static_cast<std::size_t>(stress)];
 }
 
@@ -42,7 +54,12 @@ bool MediumRecipe::absorbing() const {
 
 Medium MediumRecipe::medium() const {
     if (symmetry == Symmetry::isotropic) return Medium::isotropic(n[0]);
-    if (symmetry == Symmetry::uniaxial) return Medium::uniaxial(n[0], n[1], first);
+    if (symmetry == Symmetry::uniaxial) {
+        Medium m = Medium::uniaxial(n[0], n[1], first);
+        m.gyration = gyration;
+        m.gyration_along = gyration_along;
+        return m;
+    }
     Medium m = Medium::biaxial(n, first, second);
     if (skew != Complex(0)) {
         const Vec3 a = normalised(first), b = normalised(second - dot(second, a) * a);
@@ -57,7 +74,8 @@ reference::Material MediumRecipe::material() const {
     using namespace reference;
     const auto array = [](const Vec3& v) { return Double3{v.x, v.y, v.z}; };
     if (!absorbing() && symmetry == Symmetry::isotropic) return Material::isotropic(n[0].real());
-    if (!absorbing() && symmetry == Symmetry::uniaxial) {
+    const bool active = gyration != 0 || gyration_along != 0;
+    if (!absorbing() && !active && symmetry == Symmetry::uniaxial) {
         return Material::uniaxial(n[0].real(), n[1].real(), array(first));
     }
     const auto square = [](const Complex& z) {
@@ -65,9 +83,9 @@ reference::Material MediumRecipe::material() const {
         return Cplx(w * w);
     };
     Material m;
-    m.modes = symmetry == Symmetry::isotropic  ? Material::Modes::s_p
-              : symmetry == Symmetry::uniaxial ? Material::Modes::o_e
-                                               : Material::Modes::fast_slow;
+    m.modes = symmetry == Symmetry::isotropic             ? Material::Modes::s_p
+              : symmetry == Symmetry::uniaxial && !active ? Material::Modes::o_e
+                                                          : Material::Modes::fast_slow;
     const RealVector a = unit(array(first));
     m.axis = a;
     m.epsilon_o = square(n[0]);
@@ -92,6 +110,8 @@ reference::Material MediumRecipe::material() const {
     const Cplx s(Real(2 * skew.real()), Real(2 * skew.imag()));
     for (std::size_t i = 0; i < 3; ++i) {
         for (std::size_t j = 0; j < 3; ++j) {
+            m.alpha[i][j] = (i == j ? Real(gyration) : Real(0)) +
+                            (Real(gyration_along) - Real(gyration)) * a[i] * a[j];
             m.epsilon[i][j] = e[0] * Cplx(Real(a[i] * a[j])) + e[1] * Cplx(Real(b[i] * b[j])) +
                               e[2] * Cplx(Real(c[i] * c[j])) +
                               s * Cplx(Real(a[i] * b[j] + b[i] * a[j]));
@@ -110,7 +130,7 @@ std::string GeneralCase::text() const {
         out << "{Symmetry(" << static_cast<int>(m.symmetry) << "), {";
         for (const Complex& n : m.n) out << "Complex" << n << ", ";
         out << "}, ", vector(m.first), out << ", ", vector(m.second),
-            out << ", Complex" << m.skew << "}";
+            out << ", " << m.gyration << ", " << m.gyration_along << ", Complex" << m.skew << "}";
     };
     recipe(from), out << " -> ", recipe(to), out << " normal ", vector(normal);
     out << " direction ", vector(direction), out << " mode " << mode;
@@ -159,8 +179,36 @@ void make_lossy(Random& random, MediumRecipe& m, double kappa) {
     for (auto& n : m.n) n = lossy(random, kappa);
 }
 
+MediumRecipe active(Random& random, double size) {
+    MediumRecipe m;
+    m.symmetry = Symmetry::uniaxial;
+    m.n[0] = random.uniform(1.3, 2.2);
+    m.n[1] = m.n[0] + random.uniform(-0.2, 0.2);
+    m.first = random.direction();
+    m.gyration = random.sign() * size * random.uniform(0.1, 1);
+    m.gyration_along = random.uniform(-1, 1) * size;
+    return m;
+}
+
 void incline(GeneralCase& c, const Vec3& tangent, double angle) {
     c.direction = normalised(std::cos(angle) * c.normal + std::sin(angle) * tangent);
+}
+
+/// The inclination, by bisection, beyond which a wave on the far side no longer propagates.
+double critical_angle(GeneralCase& c, const Vec3& tangent, std::size_t which) {
+    double low = 0, high = std::numbers::pi / 2;
+    for (int i = 0; i < 60; ++i) {
+        const double middle = (low + high) / 2;
+        incline(c, tangent, middle);
+        const Wave in = c.incident();
+        if (dot(in.ray, c.normal) <= 0) {
+            high = middle;
+            continue;
+        }
+        const Interface face(c.from.medium(), c.to.medium(), c.normal, in);
+        (face.propagating(true, which) ? low : high) = middle;
+    }
+    return low;
 }
 
 bool draw(GeneralCase& c, Random& random, GeneralStress stress) {
@@ -197,7 +245,7 @@ bool draw(GeneralCase& c, Random& random, GeneralStress stress) {
             incline(c, along_face(), random.power_of_ten(-12, -1));
             break;
         case GeneralStress::grazing:
-            incline(c, along_face(), std::numbers::pi / 2 - random.power_of_ten(-6, -1));
+            incline(c, along_face(), std::numbers::pi / 2 - random.power_of_ten(-8.7, -1));
             break;
         case GeneralStress::total_reflection:
             c.from = random.uniform() < 0.5 ? biaxial(random) : plain(random);
@@ -212,14 +260,7 @@ bool draw(GeneralCase& c, Random& random, GeneralStress stress) {
             c.to = biaxial(random, 0.2);
             const Vec3 t = along_face();
             const std::size_t which = random.uniform() < 0.5 ? 0 : 1;
-            double low = 0, high = std::numbers::pi / 2;
-            for (int i = 0; i < 60; ++i) {
-                const double middle = (low + high) / 2;
-                incline(c, t, middle);
-                const Wave in = c.incident();
-                const Interface face(c.from.medium(), c.to.medium(), c.normal, in);
-                (face.propagating(true, which) ? low : high) = middle;
-            }
+            const double low = critical_angle(c, t, which);
             incline(c, t, low * (1 + random.sign() * random.power_of_ten(-15.5, -3)));
             break;
         }
@@ -264,7 +305,7 @@ bool draw(GeneralCase& c, Random& random, GeneralStress stress) {
         case GeneralStress::weak_biaxiality:
             for (MediumRecipe* m : {&c.from, &c.to}) {
                 if (m->symmetry != Symmetry::biaxial) continue;
-                const double size = random.power_of_ten(-15, -2);
+                const double size = random.power_of_ten(-15, 0);
                 m->n[1] = m->n[0] + size * random.uniform();
                 m->n[2] = m->n[0] + size * random.uniform();
             }
@@ -293,7 +334,7 @@ bool draw(GeneralCase& c, Random& random, GeneralStress stress) {
             break;
         case GeneralStress::backward_wave:
             c.from = biaxial(random, 0.8);
-            incline(c, along_face(), std::numbers::pi / 2 + random.power_of_ten(-6, -1));
+            incline(c, along_face(), std::numbers::pi / 2 + random.power_of_ten(-8, -1));
             break;
         case GeneralStress::absorbing_isotropic:
             absorbing_side(Symmetry::isotropic, random.power_of_ten(-6, 1));
@@ -326,6 +367,75 @@ bool draw(GeneralCase& c, Random& random, GeneralStress stress) {
             c.to.n[static_cast<std::size_t>(random.below(3))] +=
                 Complex(0, random.power_of_ten(-3, 0.5));
             break;
+        case GeneralStress::near_critical_inside: {
+            c.from = random.uniform() < 0.7 ? biaxial(random) : plain(random);
+            for (auto& n : c.from.n) n += 0.8;
+            c.to = random.uniform() < 0.5 ? biaxial(random, 0.2) : plain(random);
+            if (c.from.symmetry != Symmetry::biaxial) c.to = biaxial(random, 0.2);
+            const Vec3 t = along_face();
+            const double low = critical_angle(c, t, random.uniform() < 0.5 ? 0 : 1);
+            incline(c, t, low * (1 + random.sign() * random.power_of_ten(-15.5, -3)));
+            break;
+        }
+        case GeneralStress::matched_index:
+            c.from = plain(random);
+            c.to = biaxial(random);
+            c.from.n[0] = c.to.n[static_cast<std::size_t>(random.below(3))] +
+                          (random.uniform() < 0.5 ? 0 : random.power_of_ten(-15, -3));
+            if (random.uniform() < 0.5) std::swap(c.from, c.to);
+            if (random.uniform() < 0.7) {
+                incline(c, along_face(), std::numbers::pi / 2 - random.power_of_ten(-8, -0.3));
+            }
+            break;
+        case GeneralStress::absorbing_incident:
+        case GeneralStress::absorbing_incident_grazing:
+        case GeneralStress::absorbing_to_absorbing: {
+            const auto lossy_medium = [&] {
+                MediumRecipe m = biaxial(random);
+                const double kind = random.uniform();
+                m.symmetry = kind < 0.3   ? Symmetry::isotropic
+                             : kind < 0.6 ? Symmetry::uniaxial
+                                          : Symmetry::biaxial;
+                const double kappa = random.power_of_ten(-6, 0);
+                for (auto& n : m.n) n += Complex(0, kappa * random.uniform(0.1, 1));
+                return m;
+            };
+            c.from = lossy_medium();
+            c.to = stress == GeneralStress::absorbing_to_absorbing ? lossy_medium() : any(random);
+            if (stress == GeneralStress::absorbing_incident_grazing) {
+                incline(c, along_face(), std::numbers::pi / 2 - random.power_of_ten(-6, -0.3));
+            }
+            break;
+        }
+        case GeneralStress::active_second:
+        case GeneralStress::active_first:
+        case GeneralStress::active_both:
+        case GeneralStress::weak_activity:
+        case GeneralStress::active_near_axis:
+        case GeneralStress::active_grazing:
+        case GeneralStress::active_near_critical: {
+            const double size =
+                random.power_of_ten(stress == GeneralStress::weak_activity ? -15 : -6, -1);
+            c.from = active(random, size);
+            c.to = stress == GeneralStress::active_both ? active(random, size) : any(random);
+            const bool second = stress == GeneralStress::active_second ||
+                                (stress != GeneralStress::active_first && random.uniform() < 0.5);
+            if (second) std::swap(c.from, c.to);
+            const MediumRecipe& m = second ? c.to : c.from;
+            if (stress == GeneralStress::active_near_axis) {
+                c.direction =
+                    normalised(m.first + random.power_of_ten(-17, -2) * random.direction());
+                if (second) c.normal = c.direction;
+            } else if (stress == GeneralStress::active_grazing) {
+                incline(c, along_face(), std::numbers::pi / 2 - random.power_of_ten(-8, -1));
+            } else if (stress == GeneralStress::active_near_critical) {
+                for (auto& n : c.from.n) n += 0.8;
+                const Vec3 t = along_face();
+                const double low = critical_angle(c, t, random.uniform() < 0.5 ? 0 : 1);
+                incline(c, t, low * (1 + random.sign() * random.power_of_ten(-15.5, -3)));
+            }
+            break;
+        }
         default:
             break;
     }
@@ -340,7 +450,7 @@ GeneralCase random_case(Random& random, GeneralStress stress) {
         if (!draw(c, random, stress)) continue;
         if (dot(c.incident().ray, c.normal) < 0) c.direction = -c.direction;
         c.cos_ray = dot(c.incident().ray, c.normal);
-        if (c.cos_ray > 1e-6) return c;
+        if (c.cos_ray > 1e-9) return c;
     }
 }
 

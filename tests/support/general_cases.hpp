@@ -14,6 +14,7 @@ struct MediumRecipe {
     Symmetry symmetry = Symmetry::isotropic;
     std::array<Complex, 3> n{1, 1, 1};  ///< n | n_o, n_e | along first, second, first x second
     Vec3 first{0, 0, 1}, second{1, 0, 0};
+    double gyration = 0, gyration_along = 0;  ///< about `first`
     Complex skew = 0;  ///< added to eps between the first two principal axes: no common axes
 
     [[nodiscard]] bool absorbing() const;
@@ -57,12 +58,24 @@ enum class GeneralStress {
     weak_absorption,
     strong_absorption,
     one_lossy_axis,
+    near_critical_inside,
+    matched_index,
+    absorbing_incident,
+    absorbing_incident_grazing,
+    absorbing_to_absorbing,
+    active_second,
+    active_first,
+    active_both,
+    weak_activity,
+    active_near_axis,
+    active_grazing,
+    active_near_critical,
     count
 };
 
 [[nodiscard]] const char* name(GeneralStress stress);
 
-/// A case of the given kind, with cos_ray at least 1e-6.
+/// A case of the given kind, with cos_ray at least 1e-9.
 [[nodiscard]] GeneralCase random_case(Random& random, GeneralStress stress);
 
 /// The largest error over quantities: |core - reference| / max(1, |reference|), and its ratio to

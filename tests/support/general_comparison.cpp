@@ -26,6 +26,7 @@ struct Solved {
     std::array<std::array<Mode2, 2>, 2> modes;  ///< [side][mode]
     std::array<CVec3, 2> E, H;                  ///< summed, by side
     std::array<double, 2> total{};
+    double interference = 0;
 };
 
 Solved core(const GeneralCase& c) {
@@ -58,6 +59,7 @@ Solved core(const GeneralCase& c) {
         s.H = {sum_of.reflected_H, sum_of.transmitted_H};
     }
     s.total = {a.reflected_total, a.transmitted_total};
+    s.interference = a.interference;
     return s;
 }
 
@@ -80,14 +82,15 @@ Solved truth(const GeneralCase& c) {
     const RealVector n = unit(normal);
     for (std::size_t side = 0; side < 2; ++side) {
         const auto& waves = side == 0 ? r.reflected : r.transmitted;
-        const bool absorbing = side == 0 ? c.from.absorbing() : c.to.absorbing();
+        const bool lossy = c.from.absorbing() || (side == 1 && c.to.absorbing());
         Vector E{}, H{};
         for (std::size_t i = 0; i < 2; ++i) {
             const PlaneWave& w = waves[i];
             const Vector field = combine(w.amplitude, w.E, Cplx(0), w.E);
             const auto ray = w.ray();
-            const bool carries = w.propagating || absorbing;
-            const Real power = norm2(w.amplitude) * abs(reference::dot(w.flow, n)) / r.normal_flux;
+            const bool carries = w.propagating || lossy;
+            const Real flow = (side == 0 ? -1 : 1) * reference::dot(w.flow, n);
+            const Real power = flow > 0 ? Real(norm2(w.amplitude) * flow / r.normal_flux) : Real(0);
             s.modes[side][i] = {to_double(w.k),
                                 to_double(field),
                                 {static_cast<double>(ray[0]), static_cast<double>(ray[1]),
@@ -99,10 +102,17 @@ Solved truth(const GeneralCase& c) {
         }
         s.E[side] = to_double(E);
         s.H[side] = to_double(H);
-        const Vector h{conjugate(H[0]), conjugate(H[1]), conjugate(H[2])};
-        const Vector flow = reference::cross(E, h);
-        const Real along = reference::dot(RealVector{re(flow[0]), re(flow[1]), re(flow[2])}, n);
-        s.total[side] = static_cast<double>(Real((side == 0 ? -along : along) / r.normal_flux));
+        const auto along = [&](const Vector& e, const Vector& h) {
+            const Vector flow =
+                reference::cross(e, Vector{conjugate(h[0]), conjugate(h[1]), conjugate(h[2])});
+            return Real(reference::dot(RealVector{re(flow[0]), re(flow[1]), re(flow[2])}, n) /
+                        r.normal_flux);
+        };
+        s.total[side] = static_cast<double>(Real((side == 0 ? -1 : 1) * along(E, H)));
+        if (side == 0 && c.from.absorbing()) {
+            s.interference =
+                static_cast<double>(Real(-along(r.incident.E, H) - along(E, r.incident.H)));
+        }
     }
     return s;
 }
@@ -139,6 +149,7 @@ std::vector<Quantity> quantities(const Solved& s, const Solved& model) {
     };
     add("incident k", s.incident_k);
     add("incident E", s.incident_E);
+    out.push_back({"interference", {s.interference}});
     for (std::size_t side = 0; side < 2; ++side) {
         const std::string who = side == 0 ? "reflected " : "transmitted ";
         add(who + "total E", s.E[side]);
@@ -190,6 +201,11 @@ std::vector<GeneralCase> moved(const GeneralCase& c, double ulps) {
                 Complex& n = (cases.back().*side).n[i];
                 n = {n.real() * (1 + ulps * epsilon), n.imag()};
             }
+        }
+        for (double MediumRecipe::*g : {&MediumRecipe::gyration, &MediumRecipe::gyration_along}) {
+            if ((c.*side).*g == 0) continue;
+            cases.push_back(c);
+            (cases.back().*side).*g *= 1 + ulps * epsilon;
         }
         if ((c.*side).skew != Complex(0)) {
             cases.push_back(c);

@@ -21,6 +21,7 @@ struct Material {
     Modes modes = Modes::s_p;
     RealVector axis{};  ///< unit; o_e only
     Cplx epsilon_o = 1;
+    std::array<std::array<Real, 3>, 3> alpha{};  ///< D = epsilon E + i alpha H, B = H - i alpha E
 
     static Material isotropic(double n);
     /// The axis is normalised in sixty digits.
@@ -30,7 +31,7 @@ struct Material {
 };
 
 struct PlaneWave {
-    Vector k, E, H;   ///< E of unit Hermitian norm, H = k x E
+    Vector k, E, H;   ///< E of unit Hermitian norm, H = k x E + i alpha E
     RealVector flow;  ///< Re(E x H*)
     bool propagating = true;
     Cplx amplitude = 1;
