@@ -2,9 +2,13 @@
 #include "crystal/mineral.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
+#include <cmath>
 #include <numeric>
 #include <utility>
+
+#include "math/error.hpp"
 
 namespace icespar {
 
@@ -84,6 +88,30 @@ std::vector<std::string> nearest_minerals(std::string_view name) {
     for (const auto& [distance, id] : ranked)
         if (ids.size() < 3) ids.push_back(id);
     return ids;
+}
+
+Medium medium_at(std::span<const IndexFunction> indices, double wavelength_nm,
+                 const CrystalAxes& axes) {
+    if (!std::isfinite(wavelength_nm) || wavelength_nm <= 0) {
+        throw Error("the wavelength must be a finite positive number of nanometres");
+    }
+    if (indices.empty() || indices.size() > 3) {
+        throw Error("a medium has one, two or three indices, not " +
+                    std::to_string(indices.size()));
+    }
+    std::array<Complex, 3> n{1, 1, 1};
+    for (std::size_t i = 0; i < indices.size(); ++i) {
+        const double value = indices[i](wavelength_nm);
+        if (!std::isfinite(value) || value <= 0) {
+            throw Error("the dispersion formula gives no index at " +
+                        std::to_string(wavelength_nm) +
+                        " nm; stay within the wavelengths it was fitted to");
+        }
+        n[i] = value;
+    }
+    if (indices.size() == 1) return Medium::isotropic(n[0]);
+    if (indices.size() == 2) return Medium::uniaxial(n[0], n[1], axes.first);
+    return Medium::biaxial(n, axes.first, axes.second);
 }
 
 }  // namespace icespar

@@ -133,7 +133,7 @@ bool GeneralSolver::solve_in(Interface& out, const Medium& from, const Medium& t
                 : (std::norm(t_modes[0]) * far.flux[0] + std::norm(t_modes[1]) * far.flux[1]) /
                       flux;
         for (std::size_t i = 0; i < 4; ++i) {
-            jump = std::max(jump, std::abs(source[m][i] + reflected[i] - transmitted[i]));
+            jump = std::max(jump, size1<C>(source[m][i] + reflected[i] - transmitted[i]));
         }
         if (is_double && !(std::abs(balance) < R(2e-14) && jump < R(2e-14))) return false;
         out.flux_in_[m] = static_cast<double>(flux);
@@ -159,6 +159,7 @@ bool GeneralSolver::solve_in(Interface& out, const Medium& from, const Medium& t
 
 void GeneralSolver::solve(Interface& out, const Medium& from, const Medium& to,
                           const FaceFrame& frame, const Wave& incident) {
+    if (solve_quickly(out, from, to, frame, incident)) return;
     out.general_ = true;
     if (!solve_in<double>(out, from, to, frame, incident)) {
         solve_in<long double>(out, from, to, frame, incident);

@@ -216,7 +216,7 @@ Wave Interface::built(const Side& side, const MediumCore& medium, std::size_t i)
     Wave w;
     w.mode = modes_of(medium)[i];
     w.propagating = side.propagating[i];
-    if (w.propagating && medium.plain() && !general_) {
+    if (w.propagating && !general_) {
         // All real.
         const CVec3& F = side.E[i];
         const Vec3 k = kt_.real() * x_ + side.q[i].real() * normal_,
@@ -225,7 +225,9 @@ Wave Interface::built(const Side& side, const MediumCore& medium, std::size_t i)
         w.E = complexified(E);
         w.H = complexified(cross(k, E));
         w.n_phase = length(k);
-        w.ray = w.mode == Mode::extraordinary ? extraordinary_ray(medium, k) : k / w.n_phase;
+        w.ray = w.mode == Mode::extraordinary          ? extraordinary_ray(medium, k)
+                : medium.symmetry == Symmetry::biaxial ? normalised(cross(E, real(w.H)))
+                                                       : k / w.n_phase;
         w.n_ray = dot(k, w.ray);
         return w;
     }

@@ -2,6 +2,7 @@
 #include "interface/crystal_frame.hpp"
 #include "interface/face_frame.hpp"
 #include "interface/half_space.hpp"
+#include "interface/plane.hpp"
 #include "interface/wave.hpp"
 #include "math/error.hpp"
 
@@ -51,42 +52,28 @@ std::array<Wave, 2> waves_of_normal_in(const Medium& medium, const Vec3& directi
     return out;
 }
 
-std::array<Wave, 2> waves_of_normal(const Medium& medium, const Vec3& direction) {
-    return waves_of_normal_in<double>(medium, direction);
-}
-
-/// Both waves of a ray in a transparent medium without activity, by the dual of the wave-normal
-/// problem: E across the ray, (eps across the ray) E = n_ray^2 E (Born & Wolf, 15.2.3).
-std::array<Wave, 2> waves_of_ray(const Medium& medium, const Vec3& ray) {
-    const Vec3 x = any_perpendicular(ray), y = cross(ray, x);
-    const RealTensor full = real(medium.permittivity());
-    // Without the multiple of the identity, which turns no axis and would drown small differences.
-    const double mean = full.zz;
-    RealTensor eps = full;
-    eps.xx -= mean;
-    eps.yy -= mean;
-    eps.zz = 0;
-    const double half = 0.5 * (dot(x, eps * x) - dot(y, eps * y)), off = dot(x, eps * y);
-    const double angle = half == 0 && off == 0 ? 0 : 0.5 * std::atan2(off, half);
-    const Vec3 major = std::cos(angle) * x + std::sin(angle) * y;
-    const std::array<Vec3, 2> fields{cross(ray, major), major};
+/// Of a transparent biaxial crystal: D across the wave normal, along the principal axes there of
+/// the inverse tensor, whose values are 1 / n^2 (Born & Wolf, 15.2.2).
+std::array<Wave, 2> waves_of_ellipse(const Medium& medium, const Vec3& direction) {
+    const Vec3 x = any_perpendicular(direction), y = cross(direction, x);
+    const RealTensor eta = real(medium.permittivity()).inverse();
+    const Vec3 ex = eta * x, ey = eta * y;
+    const auto sections = hermitian_eigen<double>(dot(x, ex), dot(x, ey), dot(y, ey));
     std::array<Wave, 2> out;
     for (std::size_t i = 0; i < 2; ++i) {
-        const Vec3 D = full * fields[i];
-        const double n_ray = std::sqrt(dot(fields[i], D));
-        // k lies in the plane of ray and D, across D, with k . ray = n_ray.
-        const Vec3 w = ray - (dot(ray, D) / dot(D, D)) * D;
-        const Vec3 k = (n_ray / dot(w, w)) * w;
-        out[i] = finished(medium, Mode::slow, complexified(k), complexified(fields[i]));
-        out[i].ray = ray;
-        out[i].n_ray = n_ray;
-        // Fast if the other wave of this wave normal has the larger index.
-        const Vec3 u = k / out[i].n_phase, a = normalised(D), b = cross(u, a);
-        const RealTensor eta = full.inverse();
-        const bool fast = dot(b, eta * b) < dot(a, eta * a);
-        out[i].mode = fast ? Mode::fast : Mode::slow;
+        const auto& v = sections.vector[i];
+        out[i] = finished(medium, i == 0 ? Mode::fast : Mode::slow,
+                          complexified((1 / std::sqrt(sections.value[i])) * direction),
+                          complexified(normalised(v[0] * ex + v[1] * ey)));
     }
     return out;
+}
+
+std::array<Wave, 2> waves_of_normal(const Medium& medium, const Vec3& direction) {
+    if (medium.symmetry == Symmetry::biaxial && !medium.absorbing && !medium.active()) {
+        return waves_of_ellipse(medium, direction);
+    }
+    return waves_of_normal_in<double>(medium, direction);
 }
 
 }  // namespace
@@ -94,37 +81,35 @@ std::array<Wave, 2> waves_of_ray(const Medium& medium, const Vec3& ray) {
 std::array<Wave, 2> waves_along(const Medium& medium, const Vec3& direction, By by,
                                 const Vec3& normal) {
     const auto names = modes_of(medium);
-    if (names[0] != Mode::fast) {
+    if (medium.plain() || (medium.symmetry == Symmetry::isotropic && !medium.active())) {
         return {plane_wave(medium, names[0], direction, by, normal),
                 plane_wave(medium, names[1], direction, by, normal)};
     }
     if (by == By::wave_normal) return waves_of_normal(medium, direction);
-    if (medium.absorbing || medium.active()) {
-        throw Error("waves by ray direction are known for transparent media without activity only");
+    const WavesOfRay found = waves_of_ray(medium, direction);
+    if (found.count < 2) {
+        throw Error(
+            "this medium has no two waves whose energy flows along the ray asked for; give "
+            "the wave normal instead");
     }
-    return waves_of_ray(medium, direction);
+    const std::size_t first = mode_index(found.waves[0].mode) <= mode_index(found.waves[1].mode);
+    return {found.waves[1 - first], found.waves[first]};
 }
 
 Wave plane_wave(const Medium& medium, Mode mode, const Vec3& direction, By by, const Vec3& normal) {
     require_mode(medium, mode);
-    if (mode == Mode::fast || mode == Mode::slow) {
+    if (medium.symmetry == Symmetry::isotropic && !medium.active() && medium.absorbing) {
+        const Complex n(medium.n_o, medium.kappa_o);
+        const FaceFrame face(normal, direction);
+        const Vec3 E = mode == Mode::s ? face.y : cross(direction, face.y);
+        return finished(medium, mode, n * direction, complexified(E));
+    }
+    if (!medium.plain()) {
         const auto both = waves_along(medium, direction, by, normal);
         const std::size_t wanted = mode_index(mode);
         if (both[wanted].mode == mode) return both[wanted];
         if (both[1 - wanted].mode == mode) return both[1 - wanted];
         throw Error("both waves of this ray are slow: it lies inside the cone of an optic axis");
-    }
-    if (medium.absorbing) {
-        if (by == By::ray) {
-            throw Error("waves by ray direction are known for transparent media only");
-        }
-        if (medium.symmetry == Symmetry::uniaxial) {
-            return waves_of_normal(medium, direction)[mode_index(mode)];
-        }
-        const Complex n(medium.n_o, medium.kappa_o);
-        const FaceFrame face(normal, direction);
-        const Vec3 E = mode == Mode::s ? face.y : cross(direction, face.y);
-        return finished(medium, mode, n * direction, complexified(E));
     }
     const double eps_o = medium.n_o * medium.n_o, eps_e = medium.n_e * medium.n_e;
     const CrystalFrame crystal(medium.axis);

@@ -37,6 +37,16 @@ Real<T> size2(const T& x) {
     }
 }
 
+/// A norm that costs little.
+template <class T>
+Real<T> size1(const T& x) {
+    if constexpr (is_complex<T>) {
+        return std::abs(x.real()) + std::abs(x.imag());
+    } else {
+        return std::abs(x);
+    }
+}
+
 template <class T>
 T conjugate(const T& x) {
     if constexpr (is_complex<T>) {

@@ -137,7 +137,7 @@ bool polish(const Quartic<T>& f, Factors<T>& g) {
         const T det = (w + b * k) * w + k * k * c;
         const T db = (right1 * w + k * right0) / det,
                 dc = ((w + b * k) * right0 - c * k * right1) / det;
-        const R step = std::abs(db) + std::abs(dc);
+        const R step = size1(db) + size1(dc);
         if (!std::isfinite(step)) return previous < close;
         const T dd = r3 - db, de = m - dc + k * db;
         b += db;
@@ -164,11 +164,11 @@ void adopt(const Quartic<T>& f, const T& known, Factors<T>& g) {
         const T r2 = h2 - (b + e), r1 = h1 - (c + b * e), r0 = h0 - c * e;
         const T det = e * (b - e) - c;
         const T db = (r0 - c * r2 - e * (r1 - b * r2)) / det;
-        if (!std::isfinite(std::abs(db))) break;
+        if (!std::isfinite(size1(db))) break;
         c += r1 - b * r2 + (b - e) * db;
         e += r2 - db;
         b += db;
-        if (std::abs(db) < 4 * rounding<R>) break;
+        if (size1(db) < 4 * rounding<R>) break;
     }
     g.first = {b - R(2) * known, (known - b) * known + c};
     g.second = Quadratic<T>::from_roots(known, known - e);

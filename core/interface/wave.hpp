@@ -52,15 +52,27 @@ enum class By { wave_normal, ray };
 /// face with unit normal `normal`: s = normal x k, p = k x s; at normal incidence s is a fixed
 /// vector in the face. In a uniaxial medium o has E along k x axis, e along axis - k (k . axis) /
 /// n_o^2; for k along the axis both are fixed perpendicular vectors across it. In an absorbing
-/// medium the wave is homogeneous: k = (n + i kappa) direction. Throws Error for a mode that the
-/// medium does not have, and for ray directions in absorbing or active media.
+/// medium the wave is homogeneous: k = (n + i kappa) wave normal. Throws Error for a mode that the
+/// medium, or this ray, does not have.
 [[nodiscard]] Wave plane_wave(const Medium& medium, Mode mode, const Vec3& direction, By by,
                               const Vec3& normal);
 
 /// Both waves of a direction. By ray, a biaxial crystal can answer with two slow waves: rays inside
 /// the cone of internal conical refraction. Along a biradial every E across the ray is a solution,
-/// each with its own wave normal (external conical refraction); two of them are returned.
+/// each with its own wave normal (external conical refraction); two of them are returned. Throws
+/// Error where a strongly absorbing medium has no two waves with such a ray.
 [[nodiscard]] std::array<Wave, 2> waves_along(const Medium& medium, const Vec3& direction, By by,
                                               const Vec3& normal);
+
+/// Waves whose mean energy flow is along a ray, all that were found: two, or beside the optic axes
+/// of absorbing and active crystals up to eight, whose rays agree with the one asked for within
+/// 1e-12. The first two continue those of the transparent crystal without activity.
+struct WavesOfRay {
+    std::array<Wave, 8> waves;
+    std::size_t count = 0;
+
+    void add(const Wave& wave);  ///< unless it is there already
+};
+[[nodiscard]] WavesOfRay waves_of_ray(const Medium& medium, const Vec3& ray);
 
 }  // namespace icespar

@@ -1,4 +1,5 @@
 // The minerals that ship with icespar: their table against itself, and how they are found.
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <set>
@@ -166,4 +167,29 @@ TEST_CASE("a faulty table is refused with the line at fault", "[mineral][table]"
                       Contains("below 1"));
     CHECK_THROWS_WITH(row("a,\"A,X\n"), Contains("line 2") && Contains("opened"));
     CHECK_THROWS_WITH(row("a,A,X,c,shiny,1.5,,,0,cauchy_AB_um2,1.5 0,,,1,B"), Contains("shiny"));
+}
+
+TEST_CASE("a mineral at a wavelength is a medium of its symmetry", "[mineral][medium]") {
+    for (const Mineral& m : minerals()) {
+        CAPTURE(m.id);
+        const Medium yellow = medium_at(m, 589.3), blue = medium_at(m, 450);
+        const std::array symmetries{Symmetry::isotropic, Symmetry::uniaxial, Symmetry::biaxial};
+        REQUIRE(yellow.symmetry == symmetries.at(m.indices.size() - 1));
+        CHECK_THAT(yellow.n_o, WithinAbs(m.indices_589.front(), 6e-6));
+        if (m.indices.size() > 1) CHECK_THAT(yellow.n_e, WithinAbs(m.indices_589.back(), 6e-6));
+        CHECK(blue.n_o > yellow.n_o);
+    }
+    // n_alpha, n_beta and n_gamma lie where they are put.
+    const Medium topaz = medium_at(*find_mineral("topaz"), 589.3, {{0, 1, 0}, {0, 0, 1}});
+    CHECK(std::abs(topaz.principal[0].y) == 1);
+    CHECK(std::abs(topaz.principal[1].z) == 1);
+    CHECK(std::abs(topaz.principal[2].x) == 1);
+    CHECK(medium_at(*find_mineral("quartz"), 589.3, {{0, 1, 0}}).axis == Vec3{0, 1, 0});
+}
+
+TEST_CASE("a mineral has no medium where its formula has no index", "[mineral][medium]") {
+    CHECK_THROWS_WITH(medium_at(*find_mineral("topaz"), 0), Contains("wavelength"));
+    CHECK_THROWS_WITH(medium_at(*find_mineral("diamond"), 170), Contains("no index at 170"));
+    CHECK_THROWS_WITH(medium_at(*find_mineral("topaz"), 589.3, {{1, 0, 0}, {1, 0, 0}}),
+                      Contains("perpendicular"));
 }
