@@ -147,5 +147,13 @@ int main(int argc, char** argv) {
     row(runs, "calcite to air, total reflection", calcite, air, Mode::extraordinary, 0.2);
     row(runs, "calcite to quartz", Medium::uniaxial(1.6584, 1.4864, oblique),
         Medium::uniaxial(1.5442, 1.5533, {0.6, 0, 0.8}), Mode::ordinary, 0.6);
+    const Vec3 across{0.8, -0.6, 0};
+    const Medium topaz = Medium::biaxial({1.606, 1.609, 1.616}, oblique, across),
+                 aragonite = Medium::biaxial({1.530, 1.681, 1.686}, oblique, across);
+    row(runs, "air to topaz", air, topaz, Mode::s, 0.1);
+    row(runs, "topaz to air, refracted", topaz, air, Mode::fast, 0.85);
+    row(runs, "topaz to air, total reflection", topaz, air, Mode::slow, 0.2);
+    row(runs, "air to aragonite", air, aragonite, Mode::p, 0.1);
+    row(runs, "topaz to aragonite", topaz, aragonite, Mode::fast, 0.6);
     return sink == 0.5 ? 2 : 0;
 }

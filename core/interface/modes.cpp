@@ -3,6 +3,7 @@
 #include "interface/face_frame.hpp"
 #include "interface/half_space.hpp"
 #include "interface/plane.hpp"
+#include "interface/real_waves.hpp"
 #include "interface/wave.hpp"
 #include "math/error.hpp"
 
@@ -52,26 +53,54 @@ std::array<Wave, 2> waves_of_normal_in(const Medium& medium, const Vec3& directi
     return out;
 }
 
-/// Of a transparent biaxial crystal: D across the wave normal, along the principal axes there of
-/// the inverse tensor, whose values are 1 / n^2 (Born & Wolf, 15.2.2).
-std::array<Wave, 2> waves_of_ellipse(const Medium& medium, const Vec3& direction) {
-    const Vec3 x = any_perpendicular(direction), y = cross(direction, x);
-    const RealTensor eta = real(medium.permittivity()).inverse();
-    const Vec3 ex = eta * x, ey = eta * y;
-    const auto sections = hermitian_eigen<double>(dot(x, ex), dot(x, ey), dot(y, ey));
-    std::array<Wave, 2> out;
-    for (std::size_t i = 0; i < 2; ++i) {
-        const auto& v = sections.vector[i];
-        out[i] = finished(medium, i == 0 ? Mode::fast : Mode::slow,
-                          complexified((1 / std::sqrt(sections.value[i])) * direction),
-                          complexified(normalised(v[0] * ex + v[1] * ey)));
-    }
-    return out;
+bool transparent_biaxial(const Medium& m) {
+    return m.symmetry == Symmetry::biaxial && !m.absorbing && !m.active();
 }
 
+/// The waves of a transparent biaxial crystal: D across the wave normal, along the principal axes
+/// there of the inverse tensor, whose values are 1 / n^2 (Born & Wolf, 15.2.2).
+struct NormalEllipse {
+    const Medium& medium;
+    Vec3 direction, ex, ey;
+    double base = 0, det = 1;
+    Eigen2<double> sections;
+
+    NormalEllipse(const Medium& m, const Vec3& normal) : medium(m), direction(normal) {
+        const Vec3 x = any_perpendicular(direction), y = cross(direction, x);
+        // Of eps = mean I + dev the inverse times det is base I + turn, turn as small as dev.
+        const RealTensor dev = real(medium.deviation);
+        const double mean = medium.mean.real();
+        const RealTensor turn = cofactors(dev) + (-mean) * dev;
+        const double trace = dev.xx + dev.yy + dev.zz;
+        base = mean * (mean + trace);
+        det = real(medium.permittivity()).determinant();
+        const Vec3 tx = turn * x, ty = turn * y;
+        ex = base * x + tx;
+        ey = base * y + ty;
+        sections = hermitian_eigen<double>(dot(x, tx), dot(x, ty), dot(y, ty));
+    }
+
+    /// 0: fast, 1: slow.
+    [[nodiscard]] Wave wave(std::size_t i) const {
+        const auto& v = sections.vector[i];
+        const Vec3 k = std::sqrt(det / (base + sections.value[i])) * direction,
+                   E = normalised(v[0] * ex + v[1] * ey), H = cross(k, E);
+        Wave w;
+        w.mode = i == 0 ? Mode::fast : Mode::slow;
+        w.k = complexified(k);
+        w.E = complexified(E);
+        w.H = complexified(H);
+        w.ray = normalised(cross(E, H));
+        w.n_phase = length(k);
+        w.n_ray = dot(k, w.ray);
+        return w;
+    }
+};
+
 std::array<Wave, 2> waves_of_normal(const Medium& medium, const Vec3& direction) {
-    if (medium.symmetry == Symmetry::biaxial && !medium.absorbing && !medium.active()) {
-        return waves_of_ellipse(medium, direction);
+    if (transparent_biaxial(medium)) {
+        const NormalEllipse ellipse(medium, direction);
+        return {ellipse.wave(0), ellipse.wave(1)};
     }
     return waves_of_normal_in<double>(medium, direction);
 }
@@ -103,6 +132,9 @@ Wave plane_wave(const Medium& medium, Mode mode, const Vec3& direction, By by, c
         const FaceFrame face(normal, direction);
         const Vec3 E = mode == Mode::s ? face.y : cross(direction, face.y);
         return finished(medium, mode, n * direction, complexified(E));
+    }
+    if (by == By::wave_normal && transparent_biaxial(medium)) {
+        return NormalEllipse(medium, direction).wave(mode_index(mode));
     }
     if (!medium.plain()) {
         const auto both = waves_along(medium, direction, by, normal);

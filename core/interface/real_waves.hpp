@@ -14,6 +14,12 @@
 
 namespace icespar {
 
+/// The inverse times the determinant.
+inline RealTensor cofactors(const RealTensor& t) {
+    return {t.yy * t.zz - t.yz * t.yz, t.xx * t.zz - t.xz * t.xz, t.xx * t.yy - t.xy * t.xy,
+            t.xy * t.xz - t.xx * t.yz, t.xy * t.yz - t.yy * t.xz, t.xz * t.yz - t.xy * t.zz};
+}
+
 template <class T>
 struct QuickWave {
     T q{};
@@ -107,7 +113,7 @@ private:
     /// determinant of k x (k x E) + eps E is mean s^2 - B s + C, B and C as small as dev and dev^2:
     /// so the two sheets keep their distance to rounding, whatever the birefringence.
     struct Sheets {
-        double mean, K, sum, det;
+        double mean, K, sum, det, least;
         RealTensor dev, adj;
 
         Sheets(double mean_square, const RealTensor& deviation, double tangential)
@@ -115,6 +121,10 @@ private:
             const double trace = dev.xx + dev.yy + dev.zz;
             sum = adj.xx + adj.yy + adj.zz + mean * trace;
             det = dev.xx * adj.xx + dev.xy * adj.xy + dev.xz * adj.xz;
+            const double size2 = dev.xx * dev.xx + dev.yy * dev.yy + dev.zz * dev.zz +
+                                 2 * (dev.yz * dev.yz + dev.xz * dev.xz + dev.xy * dev.xy);
+            constexpr double close = 1e-3;  // to an optic axis, against the birefringence
+            least = close * close * mean * mean * size2;
         }
 
         /// Newton's method for q on the outer (or inner) sheet, from nearby.
@@ -126,8 +136,7 @@ private:
                              dB = -2 * (K * dev.xz + q * dev.zz),
                              dC = 2 * (K * adj.xz + q * adj.zz);
                 const double square = B * B - 4 * mean * C;
-                constexpr double least = 1e-3 * 1e-3;  // of B: beside an optic axis
-                if (!(square > least * B * B)) return false;
+                if (!(square > least)) return false;
                 const double root = sign * std::sqrt(square), half = 0.5 / mean;
                 s = half * (B + root);
                 const double ds = half * (dB + (B * dB - 2 * mean * dC) / root);
@@ -158,12 +167,6 @@ private:
             return normalised(x >= y && x >= z ? Vec3{c.xx, c.xy, c.xz}
                               : y >= z         ? Vec3{c.xy, c.yy, c.yz}
                                                : Vec3{c.xz, c.yz, c.zz});
-        }
-
-        static RealTensor cofactors(const RealTensor& t) {
-            return {t.yy * t.zz - t.yz * t.yz, t.xx * t.zz - t.xz * t.xz,
-                    t.xx * t.yy - t.xy * t.xy, t.xy * t.xz - t.xx * t.yz,
-                    t.xy * t.yz - t.yy * t.xz, t.xz * t.yz - t.xy * t.zz};
         }
     };
 

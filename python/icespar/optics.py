@@ -179,15 +179,15 @@ def modes(medium: Medium, direction: ArrayLike, by: Literal["wave_normal", "ray"
     solution, and a fixed pair stands for all; so does one along an optic axis.
     `by` "ray": all the waves whose energy flows there, each with its own wave normal `k`. A biaxial
     crystal can answer with two slow waves (inside the cone of internal conical refraction); along a
-    biradial a whole cone of wave normals answers, and two of them are given. Not known in absorbing and
-    active media.
+    biradial a whole cone of wave normals answers, and two of them are given. In absorbing media the
+    waves are homogeneous and their mean energy flow has the direction. Absorbing and active media have
+    more than two such waves for some rays beside their optic axes: the two that continue those of the
+    transparent crystal are given.
 
     Raises ValueError, which names the argument and its element, for a zero or non-finite direction.
     """
     d = np.atleast_2d(directions("direction", direction))
     core_by = _by(by)
-    if by == "ray" and (medium.absorbing or medium.active):
-        raise ValueError("by: rays are known in transparent media without activity only; give wave normals")
     require_memory("direction", len(d), _BYTES_A_RAY)
     waves = _core.waves(medium, d, core_by)
     k, ray = waves["k"].real, waves["ray"]

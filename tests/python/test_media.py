@@ -104,7 +104,7 @@ def test_modes_solve_maxwells_equations(medium):
         assert (np.diff(np.sum(w.k * w.k, axis=-1).real) >= 0).all()
 
 
-@pytest.mark.parametrize("medium", [ALL[0], CALCITE, TOPAZ, ARAGONITE], ids=repr)
+@pytest.mark.parametrize("medium", [ALL[0], CALCITE, TOPAZ, ARAGONITE, QUARTZ, TOURMALINE], ids=repr)
 def test_every_wave_of_a_ray_sends_its_energy_along_it(medium):
     d = np.random.default_rng(6).normal(size=(200, 3))
     d /= np.linalg.norm(d, axis=1, keepdims=True)
@@ -187,8 +187,6 @@ def test_minerals_of_every_symmetry_give_media():
         (lambda: CALCITE.modes([X, [np.inf, 0, 0]]), r"direction\[1\] is not finite"),
         (lambda: CALCITE.modes([[1, 2]]), r"direction: shape \(1, 2\)"),
         (lambda: CALCITE.modes(X, by="beam"), "by: 'beam'"),
-        (lambda: QUARTZ.modes(X, by="ray"), "by: rays are known"),
-        (lambda: TOURMALINE.modes(X, by="ray"), "by: rays are known"),
         (lambda: IndexFunction.sellmeier1([1, 2]), "odd number of coefficients"),
         (lambda: IndexFunction.cauchy(1.5, 0.004)([500, 0]), r"wavelength_nm\[1\] must be"),
         (lambda: IndexFunction.cauchy(1.5, 0.004)(np.nan), "wavelength_nm must be"),
