@@ -49,7 +49,7 @@ struct EvanescentWaves {
     /// s and p of an isotropic medium beyond its critical angle; false near or below it.
     bool find(const Medium& m, const FaceFrame& face) {
         const double K = face.kt, q2 = (K - m.n_o) * (K + m.n_o);
-        if (m.symmetry != Symmetry::isotropic || !(q2 > 1e-3)) return false;
+        if (m.symmetry != Symmetry::isotropic || !(q2 > 0.01)) return false;
         const double depth = std::sqrt(q2), size = std::sqrt(q2 + K * K);
         for (const double sign : {1.0, -1.0}) {
             const Complex q(0, sign * depth);
@@ -64,7 +64,7 @@ struct EvanescentWaves {
 struct RealWaves {
     using RealWave = QuickWave<double>;
     static constexpr double apart =
-        0.02;  ///< least q of a wave, or half gap between them, accepted
+        0.1;  ///< least q of a wave, or half gap between them, accepted
 
     std::array<RealWave, 2> up, down;  ///< energy along the normal, and against it
 
