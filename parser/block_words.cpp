@@ -29,9 +29,14 @@ void Parser::word_item(Block& block, const Token& token) {
     }
     const std::string quoted = "'" + name.text + "'";
     if (belongs) {
-        if (opens) {
+        if (opens && name.text != "function") {
             BlockPtr inner = this->block(token);
             add(block, {Item::Kind::block, where, name.text, {}, std::move(inner)});
+        } else if (name.text == "function") {
+            Value function = function_value(token);
+            add(block, {Item::Kind::value, where, {}, std::move(function), {}});
+        } else if (of_file(token)) {
+            add(block, {Item::Kind::block, where, name.text, {}, block_of_file(token)});
         } else {
             next();
             add(block, {Item::Kind::word, where, name.text, {}, {}});
@@ -62,6 +67,22 @@ void Parser::word_item(Block& block, const Token& token) {
            names_[raw().index].info.kind == WordKind::other) {
         next();
     }
+}
+
+/// `spectrum "file.csv"`, `mesh "ring.obj"`: as blocks that hold the name.
+bool Parser::of_file(const Token& word) {
+    const std::string& name = names_[word.index].text;
+    return raw(1).kind == tok::text && (name == "spectrum" || name == "mesh");
+}
+
+BlockPtr Parser::block_of_file(const Token& word) {
+    auto block = std::make_shared<Block>();
+    block->word = names_[word.index].text;
+    block->place = place(word);
+    next();
+    Value file = primary(Context::item);
+    add(*block, {Item::Kind::value, last_place_, {}, std::move(file), {}});
+    return block;
 }
 
 /// The twelve numbers of a matrix are more than a vector holds: they become four vectors of 3.
@@ -139,6 +160,11 @@ void Parser::skip_braces(const Token& opener) {
 
 Value Parser::declared_value() {
     const Token token = peek();
+    if (token.kind == tok::word && of_file(token)) return block_of_file(token);
+    if (token.kind == tok::word && names_[token.index].text == "function") {
+        return function_value(token);
+    }
+    if (token.kind == tok::word && names_[token.index].text == "spline") return spline_value(token);
     if (token.kind == tok::word && raw(1).kind == '{') {
         const Name& name = names_[token.index];
         const Place where = place(token);

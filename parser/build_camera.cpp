@@ -14,13 +14,35 @@ struct View {
     Vec3 look_at{0, 0, 1};
     bool looks = false, sized = false;
     double angle = 0;
+    double aperture = 0;
+    std::optional<Vec3> focal_point{};
+    std::optional<Jones> analyser{};
     Transform place{};
     Place look_place;
 };
 
+/// What passes: linear light at an angle from x towards y, or one hand of circular light.
+Jones analyser(const Block& block) {
+    Cursor cursor(block);
+    if (cursor.accept_word("linear")) {
+        const double angle = cursor.number("an angle in degrees");
+        return jones_polariser(angle * std::numbers::pi / 180);
+    }
+    if (cursor.accept_word("circular")) {
+        const bool right = cursor.accept_word("right");
+        if (right || cursor.accept_word("left")) {
+            // Right circular is (1, -i), of S3 = 2 Im(Ex Ey*) > 0.
+            const std::complex<double> i(0, right ? 0.5 : -0.5);
+            return {{{{0.5, i}, {-i, 0.5}}}};
+        }
+    }
+    throw Fault{block.place, "'analyser' takes linear ANGLE, circular right, or circular left", {}};
+}
+
 View read(const Block& block) {
     View view;
     view.look_place = block.place;
+    std::optional<Place> angle_place;
     for (Cursor cursor(block); cursor.more();) {
         if (const auto t = read_transform(cursor)) {
             view.place = view.place.then(*t);
@@ -37,6 +59,19 @@ View read(const Block& block) {
             view.kind = Camera::Kind::perspective;
         } else if (item.word == "orthographic") {
             view.kind = Camera::Kind::orthographic;
+        } else if (item.word == "fisheye") {
+            view.kind = Camera::Kind::fisheye;
+        } else if (item.word == "aperture") {
+            view.aperture = cursor.number("an aperture", 0, 1e9);
+        } else if (item.word == "focal_point") {
+            view.focal_point = cursor.vector("a point");
+        } else if (item.word == "blur_samples" || item.word == "confidence" ||
+                   item.word == "variance") {
+            // As many as the picture needs.
+            while (cursor.next_is_number()) (void)cursor.number("a number");
+        } else if (item.word == "analyser" && item.kind == Item::Kind::block) {
+            if (item.block->broken) throw Poisoned{item.place};
+            view.analyser = analyser(*item.block);
         } else if (item.word == "location") {
             view.location = cursor.vector("a point");
         } else if (item.word == "look_at") {
@@ -52,9 +87,7 @@ View read(const Block& block) {
             view.sky = cursor.vector("a direction");
         } else if (item.word == "angle") {
             view.angle = cursor.number("an angle of view");
-            if (!(view.angle > 0 && view.angle < 180)) {
-                throw Fault{cursor.place(), "an angle of view lies between 0 and 180 degrees", {}};
-            }
+            angle_place = cursor.place();
         } else if (item.kind == Item::Kind::value && item.value.block() &&
                    (*item.value.block())->word == "camera") {
             view = read(**item.value.block());
@@ -63,6 +96,14 @@ View read(const Block& block) {
         } else if (item.word.empty()) {
             cursor.skip_values();
         }
+    }
+    const double widest = view.kind == Camera::Kind::fisheye ? 360 : 180;
+    if (angle_place &&
+        !(view.angle > 0 && (view.angle < 180 || (widest == 360 && view.angle <= 360)))) {
+        throw Fault{*angle_place,
+                    "an angle of view lies between 0 and " +
+                        std::to_string(static_cast<int>(widest)) + " degrees",
+                    {}};
     }
     return view;
 }
@@ -76,7 +117,9 @@ Camera build_camera(const Block& block) {
     Vec3 &direction = view.direction, &right = view.right, &up = view.up;
     const double tangent = std::tan(view.angle * std::numbers::pi / 360);
     const double distance = length(view.look_at - view.location);
-    if (view.kind == Camera::Kind::perspective) {
+    if (view.kind == Camera::Kind::fisheye) {
+        if (!(view.angle > 0)) view.angle = 180;
+    } else if (view.kind == Camera::Kind::perspective) {
         if (view.angle > 0) direction = normalised(direction) * (length(right) / (2 * tangent));
     } else if (view.angle > 0 || !view.sized) {
         // The view is as wide where it looks at as a perspective one would be.
@@ -110,6 +153,20 @@ Camera build_camera(const Block& block) {
     camera.direction = mirrored(view.place.vector(direction));
     camera.right = mirrored(view.place.vector(right));
     camera.up = mirrored(view.place.vector(up));
+    camera.fisheye_angle = view.angle * std::numbers::pi / 180;
+    camera.analyser = view.analyser;
+    if (view.aperture > 0) {
+        // POV-Ray's lens reaches a quarter of the aperture from its middle.
+        camera.lens_radius = 0.25 * view.aperture;
+        const Vec3 focus = view.focal_point ? *view.focal_point
+                           : view.looks     ? view.look_at
+                                            : view.location + direction;
+        const Vec3 seen = mirrored(view.place.point(focus)) - camera.location;
+        camera.focal_distance = dot(seen, normalised(camera.direction));
+        if (!(camera.focal_distance > 0)) {
+            throw Fault{block.place, "this camera's focal_point is not before it", {}};
+        }
+    }
     if (!(std::abs(dot(cross(camera.right, camera.up), camera.direction)) > 0)) {
         throw Fault{block.place,
                     "this camera sees nothing: its right, up and direction lie in a plane",

@@ -1,6 +1,7 @@
 // What surrounds the scene: environment, background and sky_sphere.
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "math/error.hpp"
 #include "parser/builder.hpp"
@@ -8,21 +9,29 @@
 namespace icespar {
 namespace {
 
-Spectrum coloured(const std::array<double, 5>& c, const Place& place) {
-    for (std::size_t i = 0; i < 3; ++i) {
-        if (c[i] < 0) throw Fault{place, "light is not negative", {}};
-    }
-    if (c[0] == c[1] && c[1] == c[2]) return Spectrum(c[0]);
-    return reflectance_from_rgb({c[0], c[1], c[2]});
+/// A relative spectrum at luminance 1, as all illuminants are.
+Spectrum of_luminance_1(const Spectrum& light, const Place& place) {
+    const double luminance = xyz_from_rgb(rgb_of(light))[1];
+    if (!(luminance > 0)) throw Fault{place, "this light is black to the eye", {}};
+    return (1 / luminance) * light;
 }
 
 }  // namespace
+
+Spectrum Builder::light(Cursor& cursor, std::string_view what) {
+    const Ink colour = ink(cursor, what);
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (colour.rgb[i] < 0) throw Fault{cursor.place(), "light is not negative", {}};
+    }
+    return colour.spectrum;
+}
 
 Spectrum Builder::illuminant_named(Cursor& cursor, std::string_view word) {
     try {
         if (word == "blackbody")
             return blackbody(cursor.number("a temperature in kelvin", 500, 50000));
         if (cursor.accept_word("blackbody")) return illuminant_named(cursor, "blackbody");
+        if (const auto given = spectrum(cursor)) return of_luminance_1(*given, cursor.place());
         return illuminant(cursor.text("the name of an illuminant"));
     } catch (const Error& error) {
         throw Fault{cursor.place(), error.what(), {}};
@@ -31,10 +40,10 @@ Spectrum Builder::illuminant_named(Cursor& cursor, std::string_view word) {
 
 void Builder::background(const Block& block) {
     Cursor cursor(block);
-    const auto colour = cursor.colour("a colour");
+    const Spectrum colour = light(cursor, "a colour");
     if (environment_seen_) return;
     scene_.environment = {};
-    scene_.environment.below = scene_.environment.above = coloured(colour, cursor.place());
+    scene_.environment.below = scene_.environment.above = colour;
 }
 
 void Builder::environment(const Block& block) {
@@ -47,33 +56,57 @@ void Builder::environment(const Block& block) {
     out = {};
     Transform place;
     Look none;
-    bool valued = false;
+    bool shines = false, lamps_seen = false;
+    std::optional<Ink> value;
+    std::string_view name;
+    Place value_place = block.place;
+    std::optional<double> head;
     for (Cursor cursor(block); cursor.more();) {
         const Item& item = cursor.peek();
-        if (item.word == "uniform") {
+        const std::string_view word = item.kind == Item::Kind::word ? item.word : "";
+        if (word == "uniform") {
             cursor.take();
-        } else if (item.word == "illuminant" || item.word == "blackbody") {
+        } else if (word == "illuminant" || word == "blackbody") {
             cursor.take();
-            out.illuminant = illuminant_named(cursor, item.word);
-        } else if (item.word == "gradient") {
+            out.illuminant = illuminant_named(cursor, word);
+        } else if (word == "gradient") {
             cursor.take();
             while (cursor.next_is_word("illuminant") || cursor.next_is_word("blackbody")) {
-                const std::string_view word = cursor.take().word;
-                out.illuminant = illuminant_named(cursor, word);
+                const std::string_view lamp = cursor.take().word;
+                out.illuminant = illuminant_named(cursor, lamp);
             }
-            const auto below = cursor.colour("the colour below");
-            out.below = coloured(below, cursor.place());
-            const auto above = cursor.colour("the colour above");
-            out.above = coloured(above, cursor.place());
-            valued = true;
+            out.below = light(cursor, "the colour below");
+            out.above = light(cursor, "the colour above");
+            shines = true;
+        } else if (word == "image") {
+            cursor.take();
+            const std::string file = cursor.text("the name of a picture");
+            panorama(file, cursor.place());
+            shines = true;
+        } else if (word == "iso" || word == "cosine" || word == "sc2" || word == "aset" ||
+                   word == "idealscope") {
+            name = cursor.take().word;
+            shines = true;
+        } else if (word == "head") {
+            cursor.take();
+            head = cursor.number("half the angle that the head covers, in degrees", 0, 90);
+        } else if (const auto* formulas = item.value.formulas()) {
+            cursor.take();
+            out.formulas = **formulas;
+            check_formulas(item.place);
+            shines = true;
+        } else if (item.word == "lamps" && item.kind == Item::Kind::block) {
+            cursor.take();
+            lamps(*item.block);
+            lamps_seen = true;
         } else if (item.word == "polarised" && item.kind == Item::Kind::block) {
             cursor.take();
             polarised(*item.block);
-        } else if (item.kind == Item::Kind::value && item.value.numbers()) {
-            const auto colour = cursor.colour("a value or a colour");
-            out.below = out.above = coloured(colour, cursor.place());
-            valued = true;
+        } else if (next_is_ink(cursor)) {
+            value = Ink{light(cursor, "a value or a colour"), {}};
+            value_place = cursor.place();
         } else if (!modifier(cursor, none, place)) {
+            if (excused(block)) throw Poisoned{item.place};
             throw Fault{item.place,
                         "unexpected " +
                             (item.kind == Item::Kind::value ? kind_of(item.value)
@@ -81,14 +114,58 @@ void Builder::environment(const Block& block) {
                             " in 'environment'",
                         {}};
         } else if (item.kind == Item::Kind::word && item.word.empty()) {
-            valued = true;
+            shines = true;
         }
     }
-    if (!valued && !block.broken) {
+    if (head && name.empty()) {
+        throw Fault{block.place, "'head' belongs to iso, cosine, sc2, aset or idealscope", {}};
+    }
+    if (!name.empty()) {
+        const bool scope = name == "aset" || name == "idealscope";
+        named_sky(name, head.value_or(scope ? 15 : 0));
+    }
+    if (!shines && !lamps_seen && !value && !block.broken) {
         throw Fault{block.place, "this environment has no light",
                     "write environment { uniform 1 }"};
     }
-    out.up = mirrored(normalised(place.vector({0, 1, 0})));
+    if (!shines && value) out.below = out.above = value->spectrum;
+    place_sky(place, shines ? value : std::nullopt, value_place);
+}
+
+void Builder::place_sky(const Transform& place, const std::optional<Ink>& value,
+                        const Place& where) {
+    Environment& out = scene_.environment;
+    const Transform to_world = place.then(mirror());
+    out.up = normalised(to_world.vector({0, 1, 0}));
+    out.to_own = to_world.inverse();
+    for (Disc& disc : out.discs) disc.direction = normalised(to_world.vector(disc.direction));
+    if (out.pattern) out.pattern->to_pattern = out.to_own.then(out.pattern->to_pattern);
+    const Vec3 x = place.vector({1, 0, 0}), y = place.vector({0, 1, 0}),
+               z = place.vector({0, 0, 1});
+    const bool turned =
+        std::abs(dot(x, y)) + std::abs(dot(y, z)) + std::abs(dot(z, x)) < 1e-9 &&
+        std::abs(dot(x, x) - 1) + std::abs(dot(y, y) - 1) + std::abs(dot(z, z) - 1) < 1e-9;
+    if (out.formulas.size() == 4 && !(turned && place.determinant() > 0)) {
+        throw Fault{
+            where, "a polarised environment can be turned, but not stretched or mirrored", {}};
+    }
+    if (!value) return;
+    if (out.pattern) {
+        for (Spectrum& colour : out.pattern->colours) colour = colour * value->spectrum;
+    } else if (!out.formulas.empty()) {
+        const double factor = value->spectrum(560);
+        if (value->spectrum(450) != factor || value->spectrum(650) != factor) {
+            throw Fault{where, "a function of light has no colour but its illuminant's",
+                        "write 'illuminant' and a spectrum"};
+        }
+        for (Formula& f : out.formulas) {
+            f.constant(factor);
+            f.apply([](double a, double b) { return a * b; }, 2);
+        }
+    } else {
+        out.below = out.below * value->spectrum;
+        out.above = out.above * value->spectrum;
+    }
 }
 
 void Builder::polarised(const Block& block) {
@@ -118,72 +195,28 @@ void Builder::polarised(const Block& block) {
     }
 }
 
-/// A sky_sphere that is a plain colour, or a gradient along y which is linear over the whole sky.
+/// Its pigment is looked at where unit directions end.
 void Builder::sky_sphere(const Block& block) {
-    const Fault too_much{block.place, "only a plain or a linear sky_sphere can be rendered",
-                         "use 'environment { gradient BELOW ABOVE }'"};
-    Look none;
-    Transform outside;
+    Look look;
+    Transform place;
+    std::optional<PigmentLook> sky;
     for (Cursor cursor(block); cursor.more();) {
-        const Item& item = cursor.peek();
-        const Block* pigment = item.kind == Item::Kind::block ? item.block.get()
-                               : item.value.block()           ? item.value.block()->get()
-                                                              : nullptr;
-        if (!pigment || pigment->word != "pigment") {
-            if (modifier(cursor, none, outside)) continue;
-            throw too_much;
+        if (!modifier(cursor, look, place)) {
+            throw Fault{cursor.peek().place, "a sky_sphere takes a pigment and transforms", {}};
         }
-        cursor.take();
-        Transform place;
-        std::optional<Vec3> axis;
-        std::vector<std::pair<double, std::array<double, 5>>> map;
-        std::optional<std::array<double, 5>> plain;
-        for (Cursor inner(*pigment); inner.more();) {
-            if (const auto t = read_transform(inner)) {
-                place = place.then(*t);
-            } else if (inner.accept_word("gradient")) {
-                axis = inner.vector("an axis");
-            } else if (inner.next_is(Item::Kind::block)) {
-                const Block& entries = *inner.take().block;
-                for (const Item& entry : entries.items) {
-                    if (entry.kind != Item::Kind::entry) throw too_much;
-                    Cursor e(*entry.block);
-                    const double at = e.number("a place from 0 to 1");
-                    map.emplace_back(at, e.colour("a colour"));
-                }
-            } else if (inner.next_is_number()) {
-                plain = inner.colour("a colour");
-            } else {
-                throw too_much;
-            }
+        if (!look.pigment) continue;
+        if (sky) {
+            throw Fault{cursor.place(), "only one pigment of a sky_sphere can be rendered", {}};
         }
-        if (environment_seen_) return;
-        Environment& out = scene_.environment;
-        out = {};
-        if (plain && !axis) {
-            out.below = out.above = coloured(*plain, block.place);
-            continue;
-        }
-        if (!axis || map.size() != 2 || map[0].first != 0 || map[1].first != 1) throw too_much;
-        // The pattern's value at direction d is axis . place^-1(d), and linear where it stays in 0
-        // .. 1.
-        const Transform back = place.then(outside).inverse();
-        const double middle = dot(*axis, back.point({0, 0, 0}));
-        const Vec3 slope{dot(*axis, back.vector({1, 0, 0})), dot(*axis, back.vector({0, 1, 0})),
-                         dot(*axis, back.vector({0, 0, 1}))};
-        const double steep = length(slope);
-        if (!(steep > 0) || middle - steep < -1e-9 || middle + steep > 1 + 1e-9) throw too_much;
-        const auto at = [&](double v) {
-            std::array<double, 5> c{};
-            for (std::size_t i = 0; i < 3; ++i) {
-                c[i] = map[0].second[i] + v * (map[1].second[i] - map[0].second[i]);
-            }
-            return coloured(c, block.place);
-        };
-        out.below = at(std::max(0.0, middle - steep));
-        out.above = at(std::min(1.0, middle + steep));
-        out.up = mirrored(slope / steep);
+        sky = std::exchange(look.pigment, std::nullopt);
+        place = {};
     }
+    if (look.at_fault) return;
+    if (!sky) throw Fault{block.place, "this sky_sphere has no pigment", {}};
+    if (environment_seen_) return;
+    sky->place = sky->place.then(place);
+    scene_.environment = {};
+    scene_.environment.pattern = sky->placed();
 }
 
 }  // namespace icespar

@@ -71,6 +71,8 @@ Parts Builder::object(const Block& block) {
         parts.push_back(intersection(block));
     } else if (word == "light_source") {
         parts.push_back(lamp(block));
+    } else if (word == "sheet") {
+        parts.push_back(sheet(block));
     } else {
         parts.push_back(primitive(block));
     }
@@ -120,6 +122,7 @@ Parts Builder::group(const Block& block) {
         part.place = part.place.then(place);
         apply(place, part.look);
         if (part.look.interior) part.look.interior->turn(place);
+        if (part.filter) part.filter->axis = place.vector(part.filter->axis);
         // As in POV-Ray, a part with a pigment or finish of its own takes neither from the group.
         if (!part.look.pigment && !part.look.finish) {
             part.look.pigment = look.pigment;
@@ -138,116 +141,6 @@ Parts Builder::group(const Block& block) {
         }
     }
     return parts;
-}
-
-namespace {
-
-/// Takes the y axis to the unit vector n by a rotation, and the origin to `origin`.
-Transform frame_with_y(const Vec3& n, const Vec3& origin) {
-    const Vec3 a = any_perpendicular(n);
-    const Vec3 b = cross(a, n);
-    return {{Vec3{a.x, n.x, b.x}, Vec3{a.y, n.y, b.y}, Vec3{a.z, n.z, b.z}}, origin};
-}
-
-}  // namespace
-
-Part Builder::primitive(const Block& block) {
-    Part part;
-    part.where = block.place;
-    Cursor cursor(block);
-    if (block.word == "plane") {
-        part.kind = Part::Kind::plane;
-        const Vec3 normal = cursor.vector("a normal");
-        const double size = length(normal);
-        if (!(size > 0)) throw Fault{cursor.place(), "the normal of a plane is not 0", {}};
-        const Vec3 unit = normal / size;
-        part.place = frame_with_y(unit, cursor.number("a distance from the origin") * unit);
-    } else if (block.word == "sphere") {
-        part.kind = Part::Kind::sphere;
-        const Vec3 centre = cursor.vector("a centre");
-        const double radius = cursor.number("a radius");
-        if (!(radius > 0)) throw Fault{cursor.place(), "the radius of a sphere is above 0", {}};
-        part.place =
-            Transform::scaling({radius, radius, radius}).then(Transform::translation(centre));
-    } else if (block.word == "box") {
-        part.kind = Part::Kind::box;
-        const Vec3 a = cursor.vector("a corner");
-        const Vec3 b = cursor.vector("the opposite corner");
-        const Vec3 low{std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)};
-        const Vec3 size{std::abs(a.x - b.x), std::abs(a.y - b.y), std::abs(a.z - b.z)};
-        if (!(size.x > 0 && size.y > 0 && size.z > 0)) {
-            throw Fault{
-                cursor.place(), "this box has no volume: its corners agree in a coordinate", {}};
-        }
-        part.place = Transform::scaling(size).then(Transform::translation(low));
-    } else {
-        throw Fault{block.place, "a '" + std::string(block.word) + "' is not an object by itself",
-                    "put it into 'gem { ... }'"};
-    }
-    Transform place;
-    while (cursor.more()) {
-        if (modifier(cursor, part.look, place)) continue;
-        const Item& item = cursor.take();
-        if (item.word == "inverse") {
-            part.inverse = !part.inverse;  // both sides of a surface look the same
-            continue;
-        }
-        throw Fault{item.place,
-                    "unexpected " +
-                        (item.kind == Item::Kind::value ? kind_of(item.value)
-                                                        : "'" + std::string(item.word) + "'") +
-                        " in '" + std::string(block.word) + "'",
-                    {}};
-    }
-    part.place = part.place.then(place);
-    if (part.look.interior) part.look.interior->turn(place);
-    return part;
-}
-
-Part Builder::lamp(const Block& block) {
-    Part part;
-    part.kind = Part::Kind::lamp;
-    part.where = block.place;
-    Light& light = part.light;
-    Spectrum source = white();
-    std::array<double, 5> colour{1, 1, 1, 0, 0};
-    bool coloured = false, placed = false;
-    Look none;
-    for (Cursor cursor(block); cursor.more();) {
-        const Item& item = cursor.peek();
-        if (item.kind == Item::Kind::value && item.value.numbers()) {
-            if (!placed) {
-                light.position = cursor.vector("a position");
-                placed = true;
-            } else {
-                colour = cursor.colour("a colour");
-                coloured = true;
-            }
-        } else if (item.word == "area_light") {
-            cursor.take();
-            light.edge_u = cursor.vector("its first edge");
-            light.edge_v = cursor.vector("its second edge");
-            if (cursor.next_is_number()) (void)cursor.number("a number of lamps", 1, 1e6);
-            if (cursor.next_is_number()) (void)cursor.number("a number of lamps", 1, 1e6);
-        } else if (item.word == "fade_distance") {
-            cursor.take();
-            light.fade_distance = cursor.number("fade_distance", 0, 1e12);
-        } else if (item.word == "fade_power") {
-            cursor.take();
-            light.fade_power = cursor.number("fade_power", 0, 100);
-        } else if (item.word == "illuminant" || item.word == "blackbody") {
-            cursor.take();
-            source = illuminant_named(cursor, item.word);
-        } else if (!modifier(cursor, none, part.place)) {
-            throw Fault{item.place, "unexpected " + kind_of(item.value) + " in 'light_source'", {}};
-        }
-    }
-    if (!placed) throw Fault{block.place, "a light_source needs a position", "such as <0, 10, -5>"};
-    if (!coloured && diagnostics_.errors() == 0) {
-        diagnostics_.warning(block.place, "this light_source has no colour: it is taken as rgb 1");
-    }
-    light.light = source * reflectance_from_rgb({colour[0], colour[1], colour[2]});
-    return part;
 }
 
 }  // namespace icespar

@@ -71,7 +71,12 @@ Scene Builder::build(const Block& block) {
                 word == "texture") {
                 return;
             } else if (word == "camera") {
-                scene_.camera = build_camera(*inner);
+                camera_place_ = item.place;
+                try {
+                    scene_.camera = build_camera(*inner);
+                } catch (const Fault&) {
+                    if (!excused(*inner)) throw;
+                }
             } else if (word == "background") {
                 background(*inner);
             } else if (word == "sky_sphere") {
@@ -89,6 +94,16 @@ Scene Builder::build(const Block& block) {
         });
     }
     return std::move(scene_);
+}
+
+void Builder::report(const Scene& scene, const std::string& fault) {
+    for (std::size_t i = 0; i < scene.gems.size(); ++i) {
+        const std::string start = scene.gems[i].name + ": ";
+        if (fault.starts_with(start)) {
+            return diagnostics_.error(gem_places_[i], fault.substr(start.size()));
+        }
+    }
+    diagnostics_.error(camera_place_.value_or(Place{}), fault);
 }
 
 void Builder::global_settings(const Block& block) {
@@ -133,10 +148,15 @@ void Builder::finish_part(const Part& part) {
         light.position = mirrored(part.place.point(light.position));
         light.edge_u = mirrored(part.place.vector(light.edge_u));
         light.edge_v = mirrored(part.place.vector(light.edge_v));
+        const Vec3 towards = mirrored(part.place.point(part.point_at)) - light.position;
+        if (light.kind != Light::Kind::point || light.parallel) {
+            light.direction = normalised(towards);
+        }
         scene_.lights.push_back(std::move(light));
         return;
     }
-    const bool clear = !part.look.pigment || part.look.pigment->transparent();
+    if (part.filter) return finish_sheet(part);
+    const bool clear = !part.look.pigment || part.look.pigment->clear;
     if (part.kind == Part::Kind::stone) {
         if (!part.look.interior) {
             throw Fault{
@@ -152,7 +172,8 @@ void Builder::finish_part(const Part& part) {
         return finish_stone(part, *part.solid);
     }
     if (part.look.interior && clear) {
-        if (part.kind != Part::Kind::box) {
+        if (part.solid) return finish_stone(part, *part.solid);
+        if (!std::holds_alternative<BoxShape>(part.shape)) {
             throw Fault{part.where, "a stone has flat facets: this shape cannot be made of glass",
                         "use 'hull' with points on it, or an opaque pigment"};
         }
@@ -172,28 +193,21 @@ void Builder::finish_part(const Part& part) {
 
 void Builder::finish_thing(const Part& part) {
     Thing thing;
-    if (part.kind == Part::Kind::plane) thing.shape = PlaneShape{};
-    if (part.kind == Part::Kind::box) thing.shape = BoxShape{};
-    if (part.kind == Part::Kind::sphere) thing.shape = SphereShape{};
+    thing.shape = part.shape;
     thing.to_world = part.place.then(mirror());
     const std::optional<PigmentLook>& look =
         part.look.pigment ? part.look.pigment : defaults_.pigment;
     if (look) {
-        if (look->transparent()) {
+        if (look->clear) {
             throw Fault{look->where, "a transparent thing needs an interior with an ior",
                         "add interior { ior 1.5 }, or use an opaque colour"};
         }
-        const auto rgb = [](const std::array<double, 5>& c) { return Rgb{c[0], c[1], c[2]}; };
-        thing.pigment.kind = look->kind;
-        thing.pigment.first = reflectance_from_rgb(rgb(look->first));
-        thing.pigment.second = reflectance_from_rgb(rgb(look->second));
-        thing.pigment.line_width = look->line_width;
-        thing.pigment.to_pattern = look->place.then(mirror()).inverse();
+        thing.pigment = look->placed();
     } else {
         if (diagnostics_.errors() > 0) return;
         diagnostics_.warning(part.where, "a thing without pigment is black, as in POV-Ray",
                              "add pigment { rgb 1 }");
-        thing.pigment.first = Spectrum(0.0);
+        thing.pigment.colours = {Spectrum(0.0)};
     }
     if (part.look.interior) {
         diagnostics_.warning(part.look.interior->where,
@@ -209,11 +223,11 @@ void Builder::finish_stone(const Part& part, Solid& solid) {
     if (part.inverse) {
         throw Fault{part.where, "a stone cannot be turned inside out", "leave out 'inverse'"};
     }
-    if (part.look.pigment && !part.look.pigment->transparent()) {
+    if (part.look.pigment && !part.look.pigment->clear) {
         diagnostics_.warning(part.look.pigment->where,
                              "a gem has no pigment: light goes through it", {}, "gem pigment");
     } else if (part.look.pigment) {
-        const auto& c = part.look.pigment->first;
+        const auto& c = part.look.pigment->tint;
         if (c[3] > 0 && (c[0] != c[1] || c[1] != c[2])) {
             diagnostics_.warning(part.look.pigment->where,
                                  "a stone is not coloured by its surface: it is rendered clear", {},
@@ -243,6 +257,7 @@ void Builder::finish_stone(const Part& part, Solid& solid) {
         }
     }
     gem.name = sources_.file_and_line(part.where);
+    gem_places_.push_back(part.where);
     scene_.gems.push_back(std::move(gem));
 }
 

@@ -30,6 +30,11 @@ FacetPlane half_space(const Vec3& normal, double distance, std::string name = {}
 
 void Builder::transform_shape(const Transform& t, Solid& solid) {
     for (Vec3& p : solid.points) p = t.point(p);
+    if (solid.mesh) {
+        auto moved = std::make_shared<TriangleMesh>(*solid.mesh);
+        for (Vec3& v : moved->vertices) v = t.point(v);
+        solid.mesh = std::move(moved);
+    }
     for (FacetPlane& plane : solid.planes) {
         const Vec3 on = plane.normal * (plane.distance / dot(plane.normal, plane.normal));
         plane.normal = t.normal(plane.normal);
@@ -38,11 +43,12 @@ void Builder::transform_shape(const Transform& t, Solid& solid) {
 }
 
 void Builder::as_planes(Solid& solid) {
-    if (solid.points.empty()) return;
+    if (solid.points.empty() && !solid.mesh) return;
     try {
-        const Stone stone = Stone::from_points(solid.points);
+        const Stone stone = polyhedron(solid);
         for (const Facet& f : stone.facets) solid.planes.push_back({f.normal, f.distance, f.name});
         solid.points.clear();
+        solid.mesh.reset();
     } catch (const Error& error) {
         throw Fault{solid.where, error.what(), {}};
     }
@@ -59,6 +65,18 @@ void Builder::shape(const Block& block, Solid& solid) {
     if (word == "hull") return hull(block, solid);
     if (word == "box") return box_planes(block, solid);
     if (word == "intersection" || word == "object") return intersected(block, solid);
+    if (word == "mesh" || word == "mesh2") {
+        solid.mesh = mesh(block);
+        bounded(solid.mesh->vertices.size(), block.place);
+        for (Cursor cursor(block); cursor.more();) {
+            if (const auto t = read_transform(cursor)) {
+                transform_shape(*t, solid);
+            } else {
+                cursor.take();
+            }
+        }
+        return;
+    }
     if (word == "plane") {
         Cursor cursor(block);
         const Vec3 normal = cursor.vector("a normal");
@@ -82,7 +100,7 @@ void Builder::shape(const Block& block, Solid& solid) {
         return;
     }
     throw Fault{block.place, "a '" + std::string(word) + "' is no shape of a stone",
-                "use cut, hull, box, or intersection of planes and boxes"};
+                "use cut, hull, box, mesh, or intersection of planes and boxes"};
 }
 
 void Builder::box_planes(const Block& block, Solid& solid) {
@@ -118,12 +136,13 @@ void Builder::intersected(const Block& block, Solid& solid) {
                                                             : nullptr;
         if (!inner)
             throw Fault{item.place, "expected a shape in '" + std::string(block.word) + "'", {}};
-        Solid more{{}, {}, {}, inner->place};
+        Solid more{.where = inner->place};
         shape(*inner, more);
         solid.at_fault = solid.at_fault || more.at_fault;
         solid.facet_places.merge(more.facet_places);
         if (++shapes == 1 && block.word == "object") {
             solid.points = std::move(more.points);
+            solid.mesh = std::move(more.mesh);
         } else {
             as_planes(more);
         }
@@ -283,16 +302,9 @@ void Builder::facet(const Block& block, double gear, double offset, Solid& solid
 }
 
 void Builder::design(const Place& place, const std::string& file, Solid& solid) {
-    const auto found = sources_.find(file, sources_.file(place.file).folder);
-    if (!found.path) {
-        if (found.forbidden) {
-            throw Fault{place, "'" + printable(file) + "' lies outside the scene's folder",
-                        "move it beside the scene, or allow its folder with --allow"};
-        }
-        throw Fault{place, "there is no file '" + printable(file) + "'", {}};
-    }
+    const std::string path = file_named(file, place);
     try {
-        const Design design = read_design(*found.path);
+        const Design design = read_design(path);
         bounded(design.facet_count(), place);
         for (const FacetPlane& plane : design.planes()) {
             solid.planes.push_back({from_gemcad(plane.normal), plane.distance, plane.name});

@@ -8,27 +8,29 @@
 
 namespace icespar {
 
+std::pair<std::shared_ptr<Solid>, bool> Builder::solid_of(const Block& block) {
+    std::shared_ptr<Solid>& known = solids_[&block];
+    if (known) return {known, false};
+    known = std::make_shared<Solid>();
+    known->where = block.place;
+    return {known, true};
+}
+
 Part Builder::gem(const Block& block) {
     Part part;
     part.kind = Part::Kind::stone;
     part.gem = true;
     part.where = block.place;
-    // Instances of one declared gem share its polyhedron.
-    std::shared_ptr<Solid>& known = solids_[&block];
-    const bool first_time = known == nullptr;
-    if (first_time) {
-        known = std::make_shared<Solid>();
-        known->where = block.place;
-    }
+    const auto [known, first_time] = solid_of(block);
     part.solid = known;
     Transform place;
     bool shaped = false;
-    const auto take_shape = [&](const Place& where, auto&& read) {
+    const auto take_shape = [&, new_one = first_time](const Place& where, auto&& read) {
         if (shaped)
             throw Fault{where, "this gem has a shape already",
                         "a gem has one; use 'intersection' to combine"};
         shaped = true;
-        if (!first_time) return;
+        if (!new_one) return;
         try {
             read();
         } catch (...) {
@@ -59,9 +61,10 @@ Part Builder::gem(const Block& block) {
             throw Fault{item.place, "unexpected " + kind_of(item.value) + " in 'gem'", {}};
         }
     }
+    if (!shaped && excused(block)) throw Poisoned{block.place};
     if (!shaped) {
         throw Fault{block.place, "this gem has no shape",
-                    "add cut, design, hull, box or intersection"};
+                    "add cut, design, hull, box, mesh or intersection"};
     }
     if (part.look.interior) part.look.interior->turn(place);
     part.place = place;
@@ -72,12 +75,7 @@ Part Builder::intersection(const Block& block) {
     Part part;
     part.kind = Part::Kind::stone;
     part.where = block.place;
-    std::shared_ptr<Solid>& known = solids_[&block];
-    const bool first_time = known == nullptr;
-    if (first_time) {
-        known = std::make_shared<Solid>();
-        known->where = block.place;
-    }
+    const auto [known, first_time] = solid_of(block);
     part.solid = known;
     Transform place;
     for (Cursor cursor(block); cursor.more();) {
@@ -88,7 +86,7 @@ Part Builder::intersection(const Block& block) {
                                                             : nullptr;
         if (!inner) throw Fault{item.place, "expected a shape in 'intersection'", {}};
         if (!first_time) continue;
-        Solid more{{}, {}, {}, inner->place};
+        Solid more{.where = inner->place};
         shape(*inner, more);
         as_planes(more);
         part.solid->planes.insert(part.solid->planes.end(), more.planes.begin(), more.planes.end());
@@ -99,13 +97,18 @@ Part Builder::intersection(const Block& block) {
     return part;
 }
 
+Stone Builder::polyhedron(const Solid& solid) {
+    if (solid.mesh) return Stone::from_mesh(solid.mesh->vertices, solid.mesh->triangles);
+    return solid.points.empty() ? Stone::from_planes(solid.planes)
+                                : Stone::from_points(solid.points);
+}
+
 /// The polyhedron, built once; nothing when it cannot be, which is reported once.
 const Stone* Builder::stone_of(Solid& solid) {
     if (solid.stone) return &*solid.stone;
     if (solid.at_fault) return nullptr;
     try {
-        solid.stone = solid.points.empty() ? Stone::from_planes(solid.planes)
-                                           : Stone::from_points(solid.points);
+        solid.stone = polyhedron(solid);
         std::vector<std::string_view> nameless;
         for (const std::string& name : solid.stone->unreached) {
             const auto place = solid.facet_places.find(name);

@@ -16,15 +16,22 @@
 
 namespace icespar {
 
+/// A colour or a spectrum, where either may stand.
+struct Ink {
+    Spectrum spectrum{1.0};
+    std::array<double, 5> rgb{};  ///< as written; of a spectrum 0
+    [[nodiscard]] bool clear() const { return rgb[3] + rgb[4] > 0; }
+};
+
 /// A pigment with the space it was given in; `place` takes pattern points to the present
 /// coordinates.
 struct PigmentLook {
-    Pigment::Kind kind = Pigment::Kind::plain;
-    std::array<double, 5> first{}, second{};
-    double line_width = 0.1;
+    Pigment pigment{};             ///< but for `to_pattern`
+    std::array<double, 5> tint{};  ///< of a plain one, as written
+    bool clear = false;            ///< some of it lets light through
     Transform place{};
     Place where;
-    [[nodiscard]] bool transparent() const { return first[3] + first[4] > 0; }
+    [[nodiscard]] Pigment placed() const;
 };
 
 /// In the object's coordinates; the axes may have any length.
@@ -46,10 +53,11 @@ struct Look {
     bool at_fault = false;  ///< something of it could not be read: what wears it is left out
 };
 
-/// The shape of a stone: half-spaces, or points whose hull it is.
+/// The shape of a stone: half-spaces, points whose hull it is, or a mesh.
 struct Solid {
-    std::vector<FacetPlane> planes;
-    std::vector<Vec3> points;
+    std::vector<FacetPlane> planes{};
+    std::vector<Vec3> points{};
+    std::shared_ptr<const TriangleMesh> mesh{};
     std::optional<double> width{};  ///< what `scale_to width` asks for
     Place where{};
     std::map<std::string, Place> facet_places{};
@@ -59,15 +67,18 @@ struct Solid {
 
 /// One thing, stone or lamp on its way through unions; `place` takes it to the present coordinates.
 struct Part {
-    enum class Kind { plane, box, sphere, stone, lamp };
-    Kind kind = Kind::sphere;
+    enum class Kind { thing, stone, lamp };
+    Kind kind = Kind::thing;
     bool gem = false;       ///< said to be one, not merely transparent
     bool inverse = false;   ///< inside out, which no stone can be
     bool of_union = false;  ///< its own texture stays, whatever is said of the whole
+    Shape shape{};          ///< of a thing
     Transform place{};
     Look look{};
     std::shared_ptr<Solid> solid{};
     Light light{};
+    Vec3 point_at{};                 ///< of a lamp
+    std::optional<Filter> filter{};  ///< of a sheet; its axis in the present coordinates
     Place where;
 };
 using Parts = std::vector<Part>;
@@ -78,6 +89,10 @@ public:
 
     /// Faults are in the diagnostics; throws Stop.
     Scene build(const Block& scene);
+    /// Reports a fault of the finished scene at the gem whose name it begins with.
+    void report(const Scene& scene, const std::string& fault);
+    /// The scene's camera, when it has one.
+    [[nodiscard]] const std::optional<Place>& camera_place() const { return camera_place_; }
 
 private:
     /// Runs f; a Fault in it is reported and ends it. False when there was one.
@@ -97,20 +112,37 @@ private:
         return false;
     }
     void step(const Place& place);
+    /// What seems to be missing may be what was at fault, and is reported.
+    [[nodiscard]] bool excused(const Block& block) const {
+        return diagnostics_.errors() > 0 && has_gaps(block);
+    }
 
     void global_settings(const Block& block);
     void background(const Block& block);
     void sky_sphere(const Block& block);
     void environment(const Block& block);
     void polarised(const Block& block);
+    /// iso, cosine, sc2, aset or idealscope; false when it is none of them.
+    bool named_sky(std::string_view name, double head_degrees);
+    void panorama(const std::string& file, const Place& place);
+    void lamps(const Block& block);
+    void check_formulas(const Place& place);
+    /// Turns and tints what surrounds the scene.
+    void place_sky(const Transform& place, const std::optional<Ink>& value, const Place& where);
+    /// A colour or spectrum of a light, which is not negative.
+    [[nodiscard]] Spectrum light(Cursor& cursor, std::string_view what);
     [[nodiscard]] Spectrum illuminant_named(Cursor& cursor, std::string_view word);
 
     Parts object(const Block& block);
     Parts group(const Block& block);
     Part primitive(const Block& block);
+    [[nodiscard]] std::shared_ptr<const TriangleMesh> mesh(const Block& block);
+    /// The solid of a block, which its instances share, and whether it is new.
+    std::pair<std::shared_ptr<Solid>, bool> solid_of(const Block& block);
     Part gem(const Block& block);
     Part intersection(const Block& block);
     Part lamp(const Block& block);
+    Part sheet(const Block& block);
     /// A transform, texture, interior ... of an object; false when the item is something else.
     bool modifier(Cursor& cursor, Look& look, Transform& place);
     static void apply(const Transform& t, Look& look);
@@ -118,6 +150,21 @@ private:
 
     Look texture(const Block& block);
     PigmentLook pigment(const Block& block);
+    void color_map(const Block& block, PigmentLook& look);
+    void image_map(const Block& block, PigmentLook& look);
+    [[nodiscard]] std::shared_ptr<const Picture> picture(const std::string& file,
+                                                         const Place& place);
+    /// A file that the scene names, within bounds.
+    [[nodiscard]] std::string file_named(const std::string& file, const Place& place) const;
+
+    // build_spectrum.cpp
+    [[nodiscard]] Ink ink(Cursor& cursor, std::string_view what);
+    [[nodiscard]] static bool next_is_ink(const Cursor& cursor);
+    /// The spectrum or gaussian that stands next, or nothing; values are at least `least`.
+    [[nodiscard]] std::optional<Spectrum> spectrum(Cursor& cursor, double least = 0);
+    [[nodiscard]] Spectrum read_spectrum(const Block& block, double least);
+    [[nodiscard]] Spectrum spectrum_file(const std::string& file, const Place& place,
+                                         double least) const;
     /// A finish amends the one already there, or the default.
     FinishLook finish(const Block& block, const std::optional<FinishLook>& before);
     InteriorLook interior(const Block& block);
@@ -141,10 +188,12 @@ private:
     /// Half-spaces instead of points.
     void as_planes(Solid& solid);
     void design(const Place& place, const std::string& file, Solid& solid);
+    [[nodiscard]] static Stone polyhedron(const Solid& solid);
     const Stone* stone_of(Solid& solid);
 
     void finish_part(const Part& part);
     void finish_thing(const Part& part);
+    void finish_sheet(const Part& part);
     void finish_stone(const Part& part, Solid& solid);
 
     const Sources& sources_;
@@ -155,6 +204,9 @@ private:
     std::array<double, 3> ambient_light_{1, 1, 1};
     std::map<const Block*, std::shared_ptr<Solid>> solids_;
     std::shared_ptr<Solid> unit_box_;
+    std::map<std::string, std::shared_ptr<const Picture>> pictures_;
+    std::vector<Place> gem_places_;
+    std::optional<Place> camera_place_;
     std::size_t objects_ = 0, steps_ = 0;
     bool environment_seen_ = false;
 };

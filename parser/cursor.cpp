@@ -1,6 +1,7 @@
 // Typed reading of a block's items.
 #include "parser/cursor.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -14,6 +15,14 @@ std::string plain(double value) {
 }
 
 }  // namespace
+
+bool has_gaps(const Block& block) {
+    return block.broken || std::any_of(block.items.begin(), block.items.end(), [](const Item& i) {
+               if (i.kind == Item::Kind::word) return i.word.empty();
+               if (i.kind == Item::Kind::value) return i.value.empty();
+               return i.block && i.block->broken;
+           });
+}
 
 bool Cursor::next_is_number() const {
     return next_is(Item::Kind::value) && (peek().value.numbers() || peek().value.empty());

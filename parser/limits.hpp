@@ -21,10 +21,12 @@ inline constexpr std::size_t string_bytes = 65'536;
 inline constexpr std::size_t string_bytes_in_all = 256 << 20;
 inline constexpr std::size_t array_elements = 1'000'000;
 inline constexpr std::size_t array_elements_in_all = 4'000'000;
+inline constexpr std::size_t spline_points = 10'000;
 inline constexpr std::size_t file_bytes = 64 << 20;
 inline constexpr std::size_t file_bytes_in_all = 128 << 20;
 inline constexpr std::size_t objects = 200'000;  ///< stones, things and lights, instances counted
 inline constexpr std::size_t build_steps = 4'000'000;  ///< items looked at while the scene is built
 inline constexpr std::size_t stone_points = 20'000;    ///< planes or points of one stone
+inline constexpr std::size_t mesh_triangles = 2'000'000;  ///< of one mesh
 
 }  // namespace icespar::limits

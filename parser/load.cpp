@@ -35,10 +35,14 @@ LoadResult load(std::string_view text, const std::string& name, const std::files
     try {
         Parser parser(sources, diagnostics, options);
         const BlockPtr tree = parser.parse(file);
-        Scene scene = Builder(sources, diagnostics).build(*tree);
+        Builder builder(sources, diagnostics);
+        Scene scene = builder.build(*tree);
         scene.title = title_of(text);
         if (diagnostics.errors() == 0) {
-            for (const std::string& fault : faults(scene)) diagnostics.error(name, fault);
+            for (const std::string& fault : faults(scene)) builder.report(scene, fault);
+            if (builder.camera_place()) {
+                for (const std::string& fault : camera_faults(scene)) builder.report(scene, fault);
+            }
         }
         if (diagnostics.errors() == 0) result.scene = std::move(scene);
     } catch (const Error& error) {

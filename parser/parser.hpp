@@ -139,12 +139,23 @@ private:
     void count_array(std::size_t elements, const Place& place);
     Value text_value(std::string text, const Place& place);
 
+    // --- functions of light (formulas.cpp) ---
+    Value function_value(const Token& word);
+    Value spline_value(const Token& word);
+    Value spline_points(const Place& where);
+    void formula(Formula& out);
+    void formula_level(Formula& out, int level);
+    void formula_factor(Formula& out);
+    void formula_call(Formula& out, std::string_view name, const Place& where);
+
     // --- blocks (blocks.cpp) ---
     BlockPtr block(const Token& word);
     void items(Block& block, char closer);
     bool item(Block& block, char closer);
     void word_item(Block& block, const Token& token);
     void matrix_items(Block& block);
+    [[nodiscard]] bool of_file(const Token& word);
+    BlockPtr block_of_file(const Token& word);
     void unknown_word(Block& block, const Token& token);
     void skip_braces(const Token& opener);
     void recover(int depth);

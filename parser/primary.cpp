@@ -4,6 +4,7 @@
 
 #include "parser/limits.hpp"
 #include "parser/parser.hpp"
+#include "parser/spline.hpp"
 
 namespace icespar {
 
@@ -76,7 +77,12 @@ Value Parser::name_value(const Token& token) {
     if (slot && slot->value) {
         const Value value = *slot->value;
         next();
-        return value;
+        if (!value.spline() || peek_operator().kind != '(') return value;
+        next();
+        const Argument none(*this, 0);
+        const double t = number_argument("where the spline is asked");
+        expect(')', "')'");
+        return checked((**value.spline())(t), where);
     }
     const WordInfo& info = names_[token.index].info;
     if (info.kind != WordKind::name && !info.may_be_declared) {
@@ -89,6 +95,9 @@ Value Parser::name_value(const Token& token) {
             message = "parameter '" + name + "' was given a name that is not declared";
             hint.clear();
         }
+    }
+    if (const auto file = library_file_with(name)) {
+        hint = "it stands in #include \"" + std::string(*file) + "\"";
     }
     next();
     diagnostics_.error(where, message, hint);

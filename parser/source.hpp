@@ -78,6 +78,8 @@ private:
 
 /// An include that is compiled into the program; nothing when there is none of this name.
 [[nodiscard]] std::optional<std::string_view> library_file(std::string_view name);
+/// The one that declares this name, or nothing.
+[[nodiscard]] std::optional<std::string_view> library_file_with(std::string_view name);
 /// "colors.inc, shapes.inc"
 [[nodiscard]] std::vector<std::string_view> library_names();
 

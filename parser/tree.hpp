@@ -19,6 +19,11 @@ struct Item {
     BlockPtr block{};         ///< of blocks and entries
 };
 
+struct Block;
+
+/// True when part of it was at fault, or left out.
+[[nodiscard]] bool has_gaps(const Block& block);
+
 struct Block {
     std::string_view word;
     Place place;  ///< of the word before the brace

@@ -12,6 +12,8 @@ std::string kind_of(const Value& value) {
     }
     if (value.text()) return "a string";
     if (value.array()) return "an array";
+    if (value.formulas()) return "a function";
+    if (value.spline()) return "a spline";
     if (const BlockPtr* block = value.block()) return "a '" + std::string((*block)->word) + "'";
     return "nothing";
 }

@@ -8,6 +8,8 @@
 #include <variant>
 #include <vector>
 
+#include "scene/formula.hpp"
+
 namespace icespar {
 
 struct Block;
@@ -21,11 +23,14 @@ struct Numbers {
 };
 
 struct Array;
+using FormulasPtr = std::shared_ptr<const std::vector<Formula>>;
+struct Spline;
+using SplinePtr = std::shared_ptr<const Spline>;
 
 /// The empty value stands where a fault was reported: it passes through everything without a word.
 struct Value {
     std::variant<std::monostate, Numbers, std::shared_ptr<const std::string>,
-                 std::shared_ptr<Array>, BlockPtr>
+                 std::shared_ptr<Array>, BlockPtr, FormulasPtr, SplinePtr>
         is;
 
     Value() = default;
@@ -34,6 +39,8 @@ struct Value {
     Value(std::string text) : is(std::make_shared<const std::string>(std::move(text))) {}
     Value(std::shared_ptr<Array> array) : is(std::move(array)) {}
     Value(BlockPtr block) : is(std::move(block)) {}
+    Value(FormulasPtr formulas) : is(std::move(formulas)) {}
+    Value(SplinePtr spline) : is(std::move(spline)) {}
 
     [[nodiscard]] bool empty() const { return is.index() == 0; }
     [[nodiscard]] const Numbers* numbers() const { return std::get_if<Numbers>(&is); }
@@ -45,6 +52,8 @@ struct Value {
         return std::get_if<std::shared_ptr<Array>>(&is);
     }
     [[nodiscard]] const BlockPtr* block() const { return std::get_if<BlockPtr>(&is); }
+    [[nodiscard]] const SplinePtr* spline() const { return std::get_if<SplinePtr>(&is); }
+    [[nodiscard]] const FormulasPtr* formulas() const { return std::get_if<FormulasPtr>(&is); }
 };
 
 /// Elements may be of any kind; an array of two dimensions is an array of arrays.

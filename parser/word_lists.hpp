@@ -16,42 +16,74 @@ struct BlockWords {
 
 inline constexpr BlockWords blocks[] = {
     {"scene",
-     "global_settings camera light_source environment background sky_sphere plane box sphere gem "
-     "object union merge intersection",
+     "global_settings camera light_source environment background sky_sphere plane box sphere "
+     "cylinder cone disc triangle mesh mesh2 sheet gem object union merge intersection",
      nullptr},
     {"global_settings", "assumed_gamma max_trace_level unit mm cm m um in ambient_light", nullptr},
-    {"camera", "perspective orthographic location look_at right up direction sky angle",
+    {"camera",
+     "perspective orthographic fisheye location look_at right up direction sky angle aperture "
+     "focal_point blur_samples confidence variance analyser",
      &transforms},
-    {"light_source", "area_light fade_distance fade_power illuminant blackbody", &transforms},
-    {"environment", "uniform gradient illuminant blackbody polarised", &transforms},
+    {"light_source",
+     "area_light circular orient spotlight cylinder parallel point_at radius falloff tightness "
+     "shadowless fade_distance fade_power illuminant blackbody spectrum gaussian",
+     &transforms},
+    {"environment",
+     "uniform gradient image function iso cosine sc2 aset idealscope head lamps illuminant "
+     "blackbody polarised spectrum gaussian",
+     &transforms},
     {"polarised", "linear circular right left", nullptr},
-    {"background", "", nullptr},
+    {"analyser", "linear circular right left", nullptr},
+    {"lamps", "disc spectrum gaussian", nullptr},
+    {"sheet", "polariser waveplate neutral axis", &transforms},
+    {"background", "spectrum gaussian", nullptr},
     {"sky_sphere", "pigment", &transforms},
-    {"color_map", "", nullptr},
-    {"colour_map", "", nullptr},
+    {"color_map", "color_map colour_map spectrum gaussian", nullptr},
+    {"colour_map", "color_map colour_map spectrum gaussian", nullptr},
+    {"image_map", "png exr map_type once interpolate", nullptr},
+    {"spectrum", "", nullptr},
+    {"gaussian", "", nullptr},
     {"plane", "inverse", &modifiers},
     {"box", "inverse", &modifiers},
     {"sphere", "inverse", &modifiers},
-    {"gem", "cut hull box intersection design object scale_to width", &modifiers},
-    {"object", "cut hull box intersection sphere plane gem object union merge inverse", &modifiers},
-    {"union", "plane box sphere gem object union merge intersection light_source split_union",
+    {"cylinder", "open inverse", &modifiers},
+    {"cone", "open inverse", &modifiers},
+    {"disc", "inverse", &modifiers},
+    {"triangle", "inverse", &modifiers},
+    {"mesh", "triangle smooth_triangle inverse", &modifiers},
+    {"mesh2", "vertex_vectors normal_vectors face_indices inverse", &modifiers},
+    {"smooth_triangle", "", nullptr},
+    {"vertex_vectors", "", nullptr},
+    {"normal_vectors", "", nullptr},
+    {"face_indices", "", nullptr},
+    {"gem", "cut hull box mesh mesh2 intersection design object scale_to width", &modifiers},
+    {"object",
+     "cut hull box intersection sphere plane cylinder cone disc triangle mesh mesh2 gem object "
+     "union merge sheet inverse",
      &modifiers},
-    {"merge", "plane box sphere gem object union merge intersection", &modifiers},
-    {"intersection", "plane box cut hull object intersection inverse", &modifiers},
+    {"union",
+     "plane box sphere cylinder cone disc triangle mesh mesh2 gem object union merge intersection "
+     "light_source sheet split_union",
+     &modifiers},
+    {"merge",
+     "plane box sphere cylinder cone disc triangle mesh mesh2 gem object union merge intersection",
+     &modifiers},
+    {"intersection", "plane box cut hull mesh mesh2 object intersection inverse", &modifiers},
     {"cut", "gear offset facet", &transforms},
     {"facet", "angle distance index every from name", nullptr},
     {"hull", "", &transforms},
     {"interior", "ior crystal dispersion fade_distance fade_power fade_color fade_colour", nullptr},
-    {"crystal", "mineral colour color indices axis axes dispersion absorption rotation spectrum gaussian",
+    {"crystal",
+     "mineral colour color indices axis axes dispersion absorption rotation spectrum gaussian",
      nullptr},
     {"dispersion", "cauchy sellmeier abbe bg", nullptr},
     {"absorption", "ordinary extraordinary first second third spectrum gaussian", nullptr},
-    {"spectrum", "", nullptr},
-    {"gaussian", "", nullptr},
     {"sellmeier", "", nullptr},
     {"cauchy", "", nullptr},
-    {"pigment", "checker grid line gradient color_map colour_map", &transforms},
-    {"finish", "diffuse emission ambient", nullptr},
+    {"pigment",
+     "checker grid line gradient color_map colour_map image_map spectrum gaussian pigment",
+     &transforms},
+    {"finish", "diffuse albedo emission ambient", nullptr},
     {"texture", "pigment finish", &transforms},
     {"#default", "pigment finish texture", nullptr},
     {"material", "texture interior", &transforms},
@@ -64,11 +96,11 @@ inline constexpr std::string_view ours =
     "indices axis "
     "uniform illuminant blackbody polarised linear left unit mm cm m um in grid line bg cauchy "
     "abbe ordinary extraordinary first second third axes rotation "
-    "sellmeier";
+    "sellmeier spectrum gaussian exr sheet head image iso cosine sc2 aset idealscope lamps "
+    "analyser polariser waveplate neutral";
 
 /// Words that language.md promises for later; also unknown to POV-Ray.
 inline constexpr std::string_view ours_later =
-    "sheet head image iso cosine sc2 aset idealscope lamps analyser "
     "square triangular pavement tiling text_space transform_space ovus ambient_occlusion "
     "diffuse_exponent";
 
@@ -113,53 +145,45 @@ inline constexpr Advice skipped[] = {
     {"hollow sturm bounded_by inside_vector split_union max_intersections adc_bailout "
      "noise_generator "
      "number_of_waves charset hf_gray_16 mm_per_unit max_gradient accuracy quick_color "
-     "quick_colour open "
+     "quick_colour "
      "precision cutaway_textures",
      "it changes nothing here"},
-    {"no_shadow no_image no_reflection double_illuminate shadowless looks_like light_group "
+    {"no_shadow no_image no_reflection double_illuminate looks_like light_group "
      "global_lights",
      "everything is seen and casts shadows"},
-    {"adaptive jitter circular orient area_illumination samples confidence variance blur_samples",
-     "area lights are sampled evenly"},
-    {"spotlight parallel point_at radius falloff tightness projected_through",
-     "the lamp shines in all directions"},
-    {"aperture focal_point", "depth of field is not rendered yet"},
+    {"adaptive jitter area_illumination samples", "area lights are sampled evenly"},
+    {"projected_through", "the lamp shines past it"},
     {"extinction", "stones take light by 'absorption' in 'crystal', or by 'fade_distance'"},
     {"dispersion_samples", "every wavelength is traced"},
     {"refraction", "a thing with an ior refracts"},
+    {"uv_vectors uv_indices normal_indices", "surfaces have no coordinates of their own here"},
 };
 
 inline constexpr Advice refused[] = {
     {"difference", "use 'intersection' of planes, or 'cut', and say which facets are left"},
-    {"isosurface parametric function", "functions are not rendered: use 'hull' with points"},
+    {"isosurface parametric", "functions are not shapes here: use a 'mesh', or 'hull' for stones"},
     {"blob sphere_sweep superellipsoid torus lathe sor julia_fractal quadric cubic quartic poly "
      "ovus",
-     "curved shapes other than 'sphere' are not rendered"},
-    {"bicubic_patch height_field prism polygon text smooth_triangle text_space",
-     "use 'box', 'sphere' or 'plane' around the stone, 'hull' for stones"},
-    {"cylinder cone disc triangle mesh mesh2 polygon",
-     "not rendered yet: use 'box', 'sphere' or 'plane' around the stone, 'hull' with the corners "
-     "for a stone"},
-    {"sheet", "filters are not rendered yet"},
+     "use a 'mesh' of triangles, 'sphere', 'cylinder' or 'cone'"},
+    {"bicubic_patch height_field prism polygon text text_space",
+     "use a 'mesh', or 'hull' for stones"},
+    {"texture_list", "give the mesh one texture, or make a mesh for each"},
     {"clipped_by", "use 'intersection' for stones"},
-    {"image_map image_pattern material_map pigment_map texture_map texture_list pigment_pattern "
+    {"image_pattern material_map pigment_map texture_map pigment_pattern "
      "bump_map",
-     "pictures on surfaces are not rendered yet: use a colour, 'checker' or 'grid'"},
+     "use a colour, 'checker', 'grid', 'gradient' or 'image_map'"},
     {"agate average boxed bozo brick bumps cells crackle cylindrical density_file dents facets "
      "granite "
      "hexagon leopard mandel julia marble onion planar quilted radial ripples spherical spiral1 "
      "spiral2 "
      "spotted tiling waves wood wrinkles slope object_pattern square triangular pavement",
-     "use a plain colour, 'checker' or 'grid'"},
+     "use a plain colour, 'checker', 'grid' or 'gradient'"},
     {"turbulence warp frequency phase ramp_wave triangle_wave sine_wave scallop_wave cubic_wave "
      "poly_wave",
-     "patterns cannot be bent: use a plain colour, 'checker' or 'grid'"},
-    {"fisheye ultra_wide_angle omnimax panoramic mesh_camera analyser",
-     "use 'perspective' or 'orthographic'"},
-    {"spline b_spline linear_spline quadratic_spline cubic_spline natural_spline",
-     "splines are not there yet: compute the value with '#for' or an array"},
-    {"image iso cosine sc2 aset idealscope head lamps",
-     "not rendered yet: use 'uniform' or 'gradient'"},
+     "patterns cannot be bent: use a plain colour, 'checker', 'grid' or 'gradient'"},
+    {"ultra_wide_angle omnimax panoramic mesh_camera",
+     "use 'perspective', 'orthographic' or 'fisheye'"},
+    {"b_spline bezier_spline conic_sweep linear_sweep", "use a 'mesh'"},
     {"fopen fclose read write render statistics", "a scene reads no data and writes no files"},
     {"trace inside min_extent max_extent vturbulence eval_pigment transform_space",
      "shapes cannot be asked questions here"},
@@ -167,27 +191,28 @@ inline constexpr Advice refused[] = {
 
 /// Reserved by POV-Ray; nobody may declare them.
 inline constexpr std::string_view others =
+    "spline linear_spline quadratic_spline natural_spline "
     "aa_level aa_threshold agate_turb all all_intersections altitude always_sample anisotropy "
     "append "
-    "arc_angle ascii assumed autostop b_spline bezier_spline black_hole blur brick_size brightness "
-    "component composite conic_sweep contained_by control0 control1 coords count cubic_spline "
+    "arc_angle ascii assumed autostop black_hole blur brick_size brightness "
+    "component composite contained_by control0 control1 coords count cubic_spline "
     "density "
     "density_map df3 dist_exp eccentricity error_bound evaluate expand_thresholds exponent "
     "exterior "
-    "face_indices fade_distance fade_power falloff_angle flatness flip fog_alt fog_offset fog_type "
+    "fade_distance fade_power falloff_angle flatness flip fog_alt fog_offset fog_type "
     "form "
-    "gather gif gray_threshold hierarchy hypercomplex iff include inside internal interpolate "
+    "gather gif gray_threshold hierarchy hypercomplex iff include inside internal "
     "intervals "
-    "jpeg lambda linear_sweep load_file low_error_factor magnet major_radius map_type max_extent "
+    "jpeg lambda load_file low_error_factor magnet major_radius max_extent "
     "max_iteration max_sample max_trace method metric minimum_reuse mortar nearest_count "
-    "normal_indices "
-    "normal_vectors octaves offset omega once orientation pattern pgm planar png pot ppm "
+    ""
+    "octaves offset omega orientation pattern pgm planar pot ppm "
     "precompute "
     "pretrace_end pretrace_start prod pwr quaternion range ratio reciprocal recursion_limit repeat "
     "save_file scattering size slice smooth solid spacing strength sum sys tga thickness threshold "
     "tiff "
     "tile2 tiles tolerance toroidal ttf turb_depth type u_steps use_color use_colour use_index "
     "utf8 "
-    "uv_indices uv_vectors v_steps vertex_vectors water_level width";
+    "v_steps water_level width";
 
 }  // namespace icespar::word_lists

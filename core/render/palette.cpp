@@ -24,13 +24,22 @@ Emitter::Emitter(Spectrum spectrum, int band_count)
 
 Palette::Palette(const Scene& scene, int band_count)
     : below(scene.environment.illuminant * scene.environment.below, band_count),
-      above(scene.environment.illuminant * scene.environment.above, band_count) {
+      above(scene.environment.illuminant * scene.environment.above, band_count),
+      illuminant(scene.environment.illuminant, band_count) {
     for (const Disc& disc : scene.environment.discs) {
         discs.emplace_back(scene.environment.illuminant * disc.radiance, band_count);
     }
+    if (scene.environment.pattern) {
+        for (const Spectrum& colour : scene.environment.pattern->colours) {
+            sky.emplace_back(scene.environment.illuminant * colour, band_count);
+        }
+    }
     for (const Thing& thing : scene.things) {
-        things.push_back({Emitter(thing.pigment.first * white(), band_count),
-                          Emitter(thing.pigment.second * white(), band_count)});
+        std::vector<Emitter>& paints = things.emplace_back();
+        if (thing.finish.emission == 0) continue;
+        for (const Spectrum& colour : thing.pigment.colours) {
+            paints.emplace_back(colour * thing.finish.tint * white(), band_count);
+        }
     }
 }
 

@@ -24,11 +24,11 @@ struct Bands {
 };
 
 struct Palette {
-    struct Paint {
-        Emitter first, second;  ///< emission at strength 1: pigment times D65
-    };
-    std::vector<Paint> things;
-    Emitter below, above;  ///< the environment's ends
+    /// Emission at strength 1 of each of a thing's colours: pigment times tint times D65.
+    std::vector<std::vector<Emitter>> things;
+    Emitter below, above;      ///< the environment's ends
+    std::vector<Emitter> sky;  ///< the colours of its pattern
+    Emitter illuminant;
     std::vector<Emitter> discs;
     Palette(const Scene& scene, int band_count);
 };

@@ -51,6 +51,20 @@ struct CameraSample {
     return {coordinate(0), coordinate(1), coordinate(2)};
 }
 
+struct LensSample {
+    double a, b;  ///< [0, 1)
+};
+
+/// The same over the lens, by other irrational steps.
+[[nodiscard]] inline LensSample lens_sample(std::uint64_t pixel_seed, std::uint64_t index) {
+    const auto coordinate = [&](unsigned d, double step) {
+        const double shift = static_cast<double>(mixed(pixel_seed + d) >> 11) * 0x1p-53;
+        const double v = shift + static_cast<double>(index) * step;
+        return v - std::floor(v);
+    };
+    return {coordinate(3, std::numbers::sqrt2), coordinate(4, std::numbers::sqrt3)};
+}
+
 /// Cosine-weighted direction about the unit normal n.
 [[nodiscard]] inline Vec3 cosine_direction(const Vec3& n, double u, double v) {
     const double r = std::sqrt(u), phi = 2 * std::numbers::pi * v;

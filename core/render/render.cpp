@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "math/error.hpp"
+#include "render/camera.hpp"
 #include "render/film.hpp"
 #include "render/walker.hpp"
 
@@ -116,17 +117,6 @@ struct Worker {
     std::uint64_t bad = 0;
 };
 
-/// Ray and picture-right of a point of the picture, u and v from 0 to 1 rightwards and downwards.
-Branch camera_branch(const Camera& camera, double u, double v) {
-    const Vec3 offset = (u - 0.5) * camera.right + (0.5 - v) * camera.up;
-    if (camera.kind == Camera::Kind::orthographic) {
-        return Branch::from_sensor(camera.location + offset, normalised(camera.direction),
-                                   camera.right);
-    }
-    return Branch::from_sensor(camera.location, normalised(camera.direction + offset),
-                               camera.right);
-}
-
 void check(const Scene& scene, const RenderOptions& o) {
     constexpr int largest = 65536, most_bands = 400;
     const auto in = [](int v, int low, int high) { return v >= low && v <= high; };
@@ -186,9 +176,10 @@ Rendering render(const Scene& scene, const RenderOptions& options,
                     const CameraSample at = camera_sample(pixel, number);
                     w.sampler.begin(mixed(pixel ^ mixed(number)), at.wavelength);
                     w.sampler.dropped = w.sampler.absorbed = 0;
-                    w.walker.walk(camera_branch(scene.camera, (x + at.x) / options.width,
-                                                (y + at.y) / options.height),
-                                  w.sampler.wavelength_nm(), w.sampler);
+                    const LensSample lens = lens_sample(pixel, number);
+                    const auto branch = camera_branch(scene.camera, (x + at.x) / options.width,
+                                                      (y + at.y) / options.height, lens.a, lens.b);
+                    if (branch) w.walker.walk(*branch, w.sampler.wavelength_nm(), w.sampler);
                     if (!film.add(x, y, w.sampler.sample)) ++w.bad;
                     dropped[static_cast<std::size_t>(index)] += w.sampler.dropped;
                     absorbed[static_cast<std::size_t>(index)] += w.sampler.absorbed;

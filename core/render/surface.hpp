@@ -1,13 +1,14 @@
-// Opaque surfaces: which of a pigment's colours is where.
+// Patterns on opaque surfaces, and over the sky.
 #pragma once
 
-#include "scene/scene.hpp"
+#include "math/vec3.hpp"
+#include "scene/pigment.hpp"
 
 namespace icespar {
 
-/// True where the pigment's first colour lies at a world point of a surface with this normal. A
-/// grid's lines run along the integer planes of the pattern's space; planes parallel to the surface
-/// draw none.
-[[nodiscard]] bool shows_first(const Pigment& pigment, const Vec3& point, const Vec3& normal);
+/// Which of the pigment's colours a point shows, and in what shares. `normal` is the surface's (a
+/// grid leaves out the family of lines that would cover a face whole); for a sky the point is a
+/// unit direction.
+[[nodiscard]] Mix mix_at(const Pigment& pigment, const Vec3& point, const Vec3& normal);
 
 }  // namespace icespar

@@ -5,10 +5,13 @@
 #include <algorithm>
 #include <cstdint>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 #include "render/branch.hpp"
+#include "render/lamp.hpp"
 #include "render/palette.hpp"
+#include "render/pass_filter.hpp"
 #include "render/random.hpp"
 #include "render/stone_optics.hpp"
 #include "render/surface.hpp"
@@ -127,7 +130,11 @@ private:
         Hit hit;
         if (!world_.nearest({b.position, b.ray}, b.from, hit)) return see_environment(b, guide);
         const Vec3 point = b.position + hit.distance * b.ray;
-        if (hit.thing >= 0) return meet_thing(b, point, hit, guide);
+        if (hit.thing >= 0) {
+            const bool sheet =
+                world_.scene().things[static_cast<std::size_t>(hit.thing)].filter.has_value();
+            return sheet ? meet_sheet(b, point, hit, guide) : meet_thing(b, point, hit, guide);
+        }
         if (!guide.may_meet(b)) return guide.lose(b.unpolarised());
         const Stone& stone = world_.scene().gems[static_cast<std::size_t>(hit.gem)].stone;
         meet_face(b, point, air_, optics(hit.gem).medium(),
@@ -304,19 +311,34 @@ private:
         push(child, guide);
     }
 
+    /// What the sensor sees of light whose Stokes vector refers to x right, y towards `up`.
+    static Stokes seen_of(const Branch& b, const Stokes& light, const Vec3& up) {
+        if (light.s1 == 0 && light.s2 == 0 && light.s3 == 0) return light.s0 * b.unpolarised();
+        Vec3 pole = up;
+        if (std::abs(dot(b.ray, up)) >= 1 - 1e-12) {
+            pole = std::abs(up.z) < 0.9 ? Vec3{0, 0, 1} : Vec3{1, 0, 0};
+        }
+        const Vec3 y = normalised(pole - dot(pole, b.ray) * b.ray);
+        return b.polarised(light, cross(b.ray, y), y);
+    }
+
     void see_environment(const Branch& b, Guide& guide) {
         const Environment& sky = world_.scene().environment;
-        Stokes seen;
-        if (sky.state == Stokes{1, 0, 0, 0}) {
-            seen = b.unpolarised();
+        const Stokes seen = seen_of(b, sky.state, {0, 1, 0});
+        if (!sky.formulas.empty()) {
+            const Vec3 up = normalised(sky.to_own.inverse().vector({0, 1, 0}));
+            guide.see(palette_.illuminant, seen_of(b, formula_light(sky, b.ray), up),
+                      b.one_wavelength);
+        } else if (sky.pattern) {
+            const Mix mix = mix_at(*sky.pattern, b.ray, b.ray);
+            for (std::size_t i = 0; i < static_cast<std::size_t>(mix.count); ++i) {
+                guide.see(palette_.sky[mix.colour[i]], mix.share[i] * seen, b.one_wavelength);
+            }
         } else {
-            const Vec3 pole = std::abs(b.ray.y) < 1 - 1e-12 ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
-            const Vec3 y = normalised(pole - dot(pole, b.ray) * b.ray);
-            seen = b.polarised(sky.state, cross(b.ray, y), y);
+            const double height = 0.5 * (1 + dot(b.ray, sky.up));
+            guide.see(palette_.below, (1 - height) * seen, b.one_wavelength);
+            guide.see(palette_.above, height * seen, b.one_wavelength);
         }
-        const double height = 0.5 * (1 + dot(b.ray, sky.up));
-        guide.see(palette_.below, (1 - height) * seen, b.one_wavelength);
-        guide.see(palette_.above, height * seen, b.one_wavelength);
         for (std::size_t i = 0; i < sky.discs.size(); ++i) {
             if (dot(b.ray, sky.discs[i].direction) >= sky.discs[i].cos_radius) {
                 guide.see(palette_.discs[i], seen, b.one_wavelength);
@@ -324,38 +346,66 @@ private:
         }
     }
 
+    void meet_sheet(const Branch& b, const Vec3& point, const Hit& hit, Guide& guide) {
+        const Thing& sheet = world_.scene().things[static_cast<std::size_t>(hit.thing)];
+        Branch child = b;
+        child.position = point;
+        child.from = {-1, hit.thing};
+        if (pass_filter(child, *sheet.filter, hit.normal, wavelength_nm_)) send(child, guide);
+    }
+
+    /// How much natural light comes to a surface's point from this far: sheets let some through.
+    double arriving(Ray ray, Departure from, double distance) {
+        std::optional<Branch> probe;
+        for (Hit hit; world_.nearest(ray, from, hit) && hit.distance < distance * (1 - 1e-12);) {
+            if (hit.thing < 0) return 0;
+            const Thing& thing = world_.scene().things[static_cast<std::size_t>(hit.thing)];
+            if (!thing.filter) return 0;
+            if (!probe) {
+                probe = Branch::from_sensor(ray.origin, ray.direction,
+                                            any_perpendicular(ray.direction));
+            }
+            if (!pass_filter(*probe, *thing.filter, hit.normal, wavelength_nm_)) return 0;
+            ray.origin += hit.distance * ray.direction;
+            distance -= hit.distance;
+            from = {-1, hit.thing};
+        }
+        return probe ? probe->power() : 1;
+    }
+
     void meet_thing(const Branch& b, const Vec3& point, const Hit& hit, Guide& guide) {
         const Scene& scene = world_.scene();
         const auto index = static_cast<std::size_t>(hit.thing);
         const Thing& thing = scene.things[index];
-        const bool first = shows_first(thing.pigment, point, hit.normal);
+        const Mix mix = mix_at(thing.pigment, point, hit.normal);
+        const auto parts = static_cast<std::size_t>(mix.count);
         const Stokes seen = b.unpolarised();
         if (thing.finish.emission != 0) {
-            const auto& paint = palette_.things[index];
-            guide.see(first ? paint.first : paint.second, thing.finish.emission * seen,
-                      b.one_wavelength);
+            for (std::size_t i = 0; i < parts; ++i) {
+                guide.see(palette_.things[index][mix.colour[i]],
+                          mix.share[i] * thing.finish.emission * seen, b.one_wavelength);
+            }
         }
         if (thing.finish.diffuse == 0) return;
         // No surface sends on more light than falls on it: beyond that, rooms would shine without
         // end.
-        const double albedo =
-            std::min(1.0, thing.finish.diffuse *
-                              (first ? thing.pigment.first : thing.pigment.second)(wavelength_nm_));
+        double reflectance = 0;
+        for (std::size_t i = 0; i < parts; ++i) {
+            reflectance += mix.share[i] * thing.pigment.colours[mix.colour[i]](wavelength_nm_);
+        }
+        const double albedo = std::min(1.0, thing.finish.diffuse * reflectance);
         if (albedo == 0) return;
-        const Departure here{-1, hit.thing};
+        const Departure here{-1, hit.thing, hit.triangle};
         for (const Light& light : scene.lights) {
             const auto [u, v] = guide.light_point();
-            const Vec3 to_light =
-                light.position + (u - 0.5) * light.edge_u + (v - 0.5) * light.edge_v - point;
-            const double distance = length(to_light);
-            const double cosine = dot(to_light, hit.normal) / distance;
-            if (!(cosine > 0) || world_.blocked({point, to_light / distance}, here, distance))
-                continue;
-            const double fade =
-                light.fade_distance > 0 && light.fade_power > 0
-                    ? 2 / (1 + std::pow(distance / light.fade_distance, light.fade_power))
-                    : 1;
-            guide.see_at_wavelength(albedo * cosine * fade * light.light(wavelength_nm_), seen);
+            const LampRay lamp = lamp_ray(light, point, u, v);
+            const double cosine = dot(lamp.to_lamp, hit.normal);
+            if (!(cosine > 0) || !(lamp.strength > 0)) continue;
+            const double arrives =
+                light.shadowless ? 1 : arriving({point, lamp.to_lamp}, here, lamp.distance);
+            if (arrives == 0) continue;
+            guide.see_at_wavelength(
+                albedo * cosine * lamp.strength * arrives * light.light(wavelength_nm_), seen);
         }
         const int rays = guide.diffuse_rays(b);
         if (rays == 0) return guide.lose(albedo * seen);

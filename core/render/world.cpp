@@ -2,9 +2,11 @@
 #include "render/world.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "render/bounded_objects.hpp"
+#include "render/meet_shape.hpp"
 
 namespace icespar {
 namespace {
@@ -17,32 +19,20 @@ constexpr std::size_t few_objects = 4;
 /// Room for the float rays of the tree: its boxes grow by this part of the scene's coordinates.
 constexpr double float_slack = 4e-6;
 
-struct Crossing {
-    double near = -infinity, far = infinity;
-    int near_axis = -1, far_axis = -1;
-};
+void grow(Bounds& b, const Vec3& v) {
+    b.low = {std::min(b.low.x, v.x), std::min(b.low.y, v.y), std::min(b.low.z, v.z)};
+    b.high = {std::max(b.high.x, v.x), std::max(b.high.y, v.y), std::max(b.high.z, v.z)};
+}
 
-/// The ray's stay between the planes 0 and 1 of each axis.
-Crossing in_unit_cube(const Vec3& o, const Vec3& d) {
-    Crossing c;
-    const double origin[3] = {o.x, o.y, o.z}, direction[3] = {d.x, d.y, d.z};
-    for (int axis = 0; axis < 3; ++axis) {
-        if (direction[axis] == 0) {
-            if (origin[axis] < 0 || origin[axis] > 1) c.far = -infinity;
-            continue;
-        }
-        double a = -origin[axis] / direction[axis], b = (1 - origin[axis]) / direction[axis];
-        if (a > b) std::swap(a, b);
-        if (a > c.near) {
-            c.near = a;
-            c.near_axis = axis;
-        }
-        if (b < c.far) {
-            c.far = b;
-            c.far_axis = axis;
-        }
+constexpr Bounds nothing{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
+
+std::size_t objects_in(const Scene& scene) {
+    std::size_t count = scene.gems.size();
+    for (const Thing& thing : scene.things) {
+        const auto* mesh = std::get_if<MeshShape>(&thing.shape);
+        count += mesh ? mesh->mesh->triangles.size() : 1;
     }
-    return c;
+    return count;
 }
 
 }  // namespace
@@ -97,20 +87,16 @@ int FacetPlanes::entry(const Vec3& o, const Vec3& d, double& distance_in) const 
     return facet;
 }
 
-World::World(const Scene& scene)
-    : World(scene, scene.gems.size() + scene.things.size() > few_objects) {}
+World::World(const Scene& scene) : World(scene, objects_in(scene) > few_objects) {}
 
 World::World(const Scene& scene, bool use_tree) : scene_(scene) {
     std::vector<Bounds> bounds;
     for (const Gem& gem : scene.gems) {
         planes_.emplace_back(gem.stone);
-        Bounds b{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
-        for (const Vec3& v : gem.stone.vertices) {
-            b.low = {std::min(b.low.x, v.x), std::min(b.low.y, v.y), std::min(b.low.z, v.z)};
-            b.high = {std::max(b.high.x, v.x), std::max(b.high.y, v.y), std::max(b.high.z, v.z)};
-        }
-        bounds.push_back(b);
+        Bounds& b = bounds.emplace_back(nothing);
+        for (const Vec3& v : gem.stone.vertices) grow(b, v);
     }
+    meshes_.resize(scene.things.size());
     for (std::size_t i = 0; i < scene.things.size(); ++i) {
         const Thing& thing = scene.things[i];
         into_thing_.push_back(thing.to_world.inverse());
@@ -118,13 +104,23 @@ World::World(const Scene& scene, bool use_tree) : scene_(scene) {
             unbounded_.push_back(static_cast<int>(i));
             continue;
         }
-        bounded_.push_back(static_cast<int>(i));
-        const bool sphere = std::holds_alternative<SphereShape>(thing.shape);
-        const Vec3 centre = thing.to_world.point(sphere ? Vec3{} : Vec3{0.5, 0.5, 0.5});
-        const double half = sphere ? 1 : 0.5;
-        const Vec3 a = half * thing.to_world.vector({1, 0, 0});
-        const Vec3 b = half * thing.to_world.vector({0, 1, 0});
-        const Vec3 c = half * thing.to_world.vector({0, 0, 1});
+        if (const auto* shape = std::get_if<MeshShape>(&thing.shape)) {
+            for (const Vec3& v : shape->mesh->vertices) {
+                meshes_[i].push_back(thing.to_world.point(v));
+            }
+            for (std::size_t t = 0; t < shape->mesh->triangles.size(); ++t) {
+                bounded_.push_back({static_cast<int>(i), static_cast<int>(t)});
+                Bounds& b = bounds.emplace_back(nothing);
+                for (const auto corner : shape->mesh->triangles[t]) grow(b, meshes_[i][corner]);
+            }
+            continue;
+        }
+        bounded_.push_back({static_cast<int>(i), -1});
+        const Reach box = reach_of(thing.shape);
+        const Vec3 centre = thing.to_world.point(box.centre);
+        const Vec3 a = thing.to_world.vector({box.half.x, 0, 0});
+        const Vec3 b = thing.to_world.vector({0, box.half.y, 0});
+        const Vec3 c = thing.to_world.vector({0, 0, box.half.z});
         const Vec3 reach{std::abs(a.x) + std::abs(b.x) + std::abs(c.x),
                          std::abs(a.y) + std::abs(b.y) + std::abs(c.y),
                          std::abs(a.z) + std::abs(b.z) + std::abs(c.z)};
@@ -144,7 +140,9 @@ World::~World() = default;
 bool World::meet(int object, const Ray& ray, const Departure& from, Hit& hit) const {
     const int gems = static_cast<int>(planes_.size());
     if (object >= gems) {
-        return meet_thing(bounded_[static_cast<std::size_t>(object - gems)], ray, from, hit);
+        const Bounded& b = bounded_[static_cast<std::size_t>(object - gems)];
+        return b.triangle < 0 ? meet_thing(b.thing, ray, from, hit)
+                              : meet_part(b.thing, b.triangle, ray, from, hit);
     }
     if (object == from.gem) return false;
     double distance = 0;
@@ -156,40 +154,35 @@ bool World::meet(int object, const Ray& ray, const Departure& from, Hit& hit) co
 
 bool World::meet_thing(int index, const Ray& ray, const Departure& from, Hit& hit) const {
     const Thing& thing = scene_.things[static_cast<std::size_t>(index)];
+    if (from.thing == index && is_flat(thing.shape)) return false;
     const Transform& back = into_thing_[static_cast<std::size_t>(index)];
     const Vec3 o = back.point(ray.origin), d = back.vector(ray.direction);
     // Things are seen, not looked through: a start on their own surface is left by this much.
     const double start = from.thing == index ? 1e-10 * (1 + length(o)) / length(d) : 0;
-    double t = infinity;
-    Vec3 normal;
-    if (std::holds_alternative<PlaneShape>(thing.shape)) {
-        if (from.thing == index || d.y == 0) return false;
-        t = -o.y / d.y;
-        normal = {0, 1, 0};
-    } else if (std::holds_alternative<SphereShape>(thing.shape)) {
-        // Both roots without cancellation: the foot of the perpendicular first (Haines et al.
-        // 2019).
-        const double dd = dot(d, d), b = -dot(o, d);
-        const Vec3 foot = o + (b / dd) * d;
-        const double gap = 1 - dot(foot, foot);
-        if (gap < 0) return false;
-        const double q = b + std::copysign(std::sqrt(dd * gap), b);
-        double near = (dot(o, o) - 1) / q, far = q / dd;
-        if (near > far) std::swap(near, far);
-        t = near > start ? near : far;
-        normal = o + t * d;
-    } else {
-        const Crossing c = in_unit_cube(o, d);
-        if (!(c.near <= c.far)) return false;
-        const bool outside = c.near > start;
-        t = outside ? c.near : c.far;
-        const int axis = outside ? c.near_axis : c.far_axis;
-        normal = {axis == 0 ? 1.0 : 0.0, axis == 1 ? 1.0 : 0.0, axis == 2 ? 1.0 : 0.0};
-    }
-    if (!(t > start) || !(t < hit.distance)) return false;
-    Vec3 n = normalised(thing.to_world.normal(normal));
+    Meeting met;
+    if (!meet_shape(thing.shape, o, d, start, met) || !(met.distance < hit.distance)) return false;
+    Vec3 n = normalised(thing.to_world.normal(met.normal));
     if (dot(n, ray.direction) > 0) n = -n;
-    hit = {t, -1, index, -1, n};
+    hit = {met.distance, -1, index, -1, n};
+    return true;
+}
+
+bool World::meet_part(int index, int triangle, const Ray& ray, const Departure& from,
+                      Hit& hit) const {
+    const auto i = static_cast<std::size_t>(index);
+    const bool own = from.thing == index;
+    if (own && from.triangle == triangle) return false;
+    const TriangleMesh& mesh = *std::get<MeshShape>(scene_.things[i].shape).mesh;
+    const double start = own ? 1e-10 * (1 + length(ray.origin)) : 0;
+    Meeting met;
+    if (!meet_triangle(meshes_[i], mesh.triangles[static_cast<std::size_t>(triangle)], ray.origin,
+                       ray.direction, start, met) ||
+        !(met.distance < hit.distance)) {
+        return false;
+    }
+    Vec3 n = normalised(met.normal);
+    if (dot(n, ray.direction) > 0) n = -n;
+    hit = {met.distance, -1, index, -1, n, triangle};
     return true;
 }
 

@@ -12,9 +12,10 @@ struct Ray {
     Vec3 origin, direction;  ///< unit direction
 };
 
-/// The object a ray has just left; a convex gem or a plane cannot be met again at once.
+/// The object a ray has just left; a convex gem, a plane or a triangle cannot be met again at once.
 struct Departure {
     int gem = -1, thing = -1;
+    int triangle = -1;  ///< of a mesh
 };
 
 struct Hit {
@@ -22,6 +23,7 @@ struct Hit {
     int gem = -1, thing = -1;  ///< exactly one of them is set
     int facet = -1;            ///< of the gem
     Vec3 normal{};             ///< of the thing, unit, towards the ray's origin
+    int triangle = -1;         ///< of a mesh
 };
 
 /// Facet planes laid out for the loop that asks them all.
@@ -62,14 +64,21 @@ public:
 
 private:
     friend class BoundedObjects;
+    struct Bounded {
+        int thing, triangle;  ///< triangle: -1 for the whole thing
+    };
+
     /// Updates `hit` when object number `object` (gems first, then bounded things) is nearer.
     bool meet(int object, const Ray& ray, const Departure& from, Hit& hit) const;
     bool meet_thing(int thing, const Ray& ray, const Departure& from, Hit& hit) const;
+    bool meet_part(int thing, int triangle, const Ray& ray, const Departure& from, Hit& hit) const;
 
     const Scene& scene_;
     std::vector<FacetPlanes> planes_;
-    std::vector<Transform> into_thing_;     ///< world to object space
-    std::vector<int> unbounded_, bounded_;  ///< things: planes, and the others
+    std::vector<Transform> into_thing_;      ///< world to object space
+    std::vector<std::vector<Vec3>> meshes_;  ///< corners of each thing's triangles, in the world
+    std::vector<int> unbounded_;             ///< planes
+    std::vector<Bounded> bounded_;           ///< all other things
     std::unique_ptr<BoundedObjects> tree_;
 };
 

@@ -1,6 +1,9 @@
 // The last look at a scene before light enters it.
 #include "scene/scene.hpp"
 
+#include <cmath>
+#include <utility>
+
 namespace icespar {
 namespace {
 
@@ -11,16 +14,32 @@ bool inside(const Stone& stone, const Vec3& point) {
     return !stone.facets.empty();
 }
 
-/// Points of a thing's surface: a sphere's six poles, a box's corners; none of a plane's.
+/// Points of a thing's surface: poles, corners, or points of rims; none of a plane's.
 std::vector<Vec3> outermost_points(const Thing& thing) {
     std::vector<Vec3> out;
-    if (std::holds_alternative<PlaneShape>(thing.shape)) return out;
-    const bool sphere = std::holds_alternative<SphereShape>(thing.shape);
-    for (int i = 0; i < (sphere ? 6 : 8); ++i) {
-        const double sign = i % 2 == 0 ? 1 : -1;
-        const Vec3 pole = i < 2 ? Vec3{sign, 0, 0} : i < 4 ? Vec3{0, sign, 0} : Vec3{0, 0, sign};
-        const Vec3 corner{i & 1 ? 1.0 : 0.0, i & 2 ? 1.0 : 0.0, i & 4 ? 1.0 : 0.0};
-        out.push_back(thing.to_world.point(sphere ? pole : corner));
+    const auto add = [&](const Vec3& p) { out.push_back(thing.to_world.point(p)); };
+    const auto add_rim = [&](double radius, double y) {
+        for (const double side : {-radius, radius}) {
+            add({side, y, 0});
+            add({0, y, side});
+        }
+    };
+    if (const auto* mesh = std::get_if<MeshShape>(&thing.shape)) {
+        for (const Vec3& v : mesh->mesh->vertices) add(v);
+    } else if (const auto* cone = std::get_if<ConeShape>(&thing.shape)) {
+        add_rim(1, 0);
+        add_rim(cone->top, 1);
+    } else if (std::holds_alternative<DiscShape>(thing.shape)) {
+        add_rim(1, 0);
+    } else if (std::holds_alternative<SphereShape>(thing.shape)) {
+        add_rim(1, 0);
+        add({0, 1, 0});
+        add({0, -1, 0});
+    } else if (!std::holds_alternative<PlaneShape>(thing.shape)) {
+        const bool flat = std::holds_alternative<SquareShape>(thing.shape);
+        for (int i = 0; i < (flat ? 4 : 8); ++i) {
+            add({i & 1 ? 1.0 : 0.0, i & 4 ? 1.0 : 0.0, i & 2 ? 1.0 : 0.0});
+        }
     }
     return out;
 }
@@ -60,6 +79,28 @@ void check_crystal(const Crystal& c, const std::string& name, std::vector<std::s
     }
 }
 
+/// Whether part of a sheet lies within a stone: what the stone's planes leave of it has an area.
+bool cuts(const Thing& sheet, const Stone& stone) {
+    std::vector<Vec3> polygon;
+    for (const Vec3& corner : {Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{1, 0, 1}, Vec3{0, 0, 1}}) {
+        polygon.push_back(sheet.to_world.point(corner));
+    }
+    const double size = length(polygon[2] - polygon[0]);
+    for (const Facet& f : stone.facets) {
+        std::vector<Vec3> left;
+        for (std::size_t i = 0; i < polygon.size(); ++i) {
+            const Vec3 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+            const double p = f.distance - dot(f.normal, a) - 1e-9 * size;
+            const double q = f.distance - dot(f.normal, b) - 1e-9 * size;
+            if (p > 0) left.push_back(a);
+            if ((p > 0) != (q > 0)) left.push_back(a + (p / (p - q)) * (b - a));
+        }
+        polygon = std::move(left);
+        if (polygon.size() < 3) return false;
+    }
+    return true;
+}
+
 void check_gem(const Gem& gem, std::vector<std::string>& out) {
     if (gem.stone.facets.size() < 4) out.push_back(gem.name + ": this stone is not closed");
     for (const Facet& f : gem.stone.facets) {
@@ -71,6 +112,22 @@ void check_gem(const Gem& gem, std::vector<std::string>& out) {
 }
 
 }  // namespace
+
+Stokes formula_light(const Environment& environment, const Vec3& direction) {
+    const auto& f = environment.formulas;
+    const Vec3 d = normalised(environment.to_own.vector(direction));
+    const double radiance = f[0](d);
+    if (!(radiance > 0 && std::isfinite(radiance))) return {};
+    if (f.size() < 4) return {radiance, 0, 0, 0};
+    Stokes light{radiance, f[1](d), f[2](d), f[3](d)};
+    const double polarised = std::hypot(light.s1, light.s2, light.s3);
+    if (!std::isfinite(polarised)) return {};
+    if (polarised > radiance) {
+        const double less = radiance / polarised;
+        light = {radiance, less * light.s1, less * light.s2, less * light.s3};
+    }
+    return light;
+}
 
 const Gem* gem_around(const Scene& scene, const Vec3& point) {
     for (const Gem& gem : scene.gems) {
@@ -87,7 +144,7 @@ std::vector<std::string> camera_faults(const Scene& scene) {
         out.push_back("camera: direction, right and up must be finite and not in one plane");
     }
     const Gem* gem = gem_around(scene, c.location);
-    if (c.kind == Camera::Kind::perspective && gem != nullptr) {
+    if (c.kind != Camera::Kind::orthographic && gem != nullptr) {
         out.push_back(gem->name + ": the camera is inside this stone; move it out");
     }
     return out;
@@ -108,6 +165,13 @@ std::vector<std::string> faults(const Scene& scene) {
         }
     }
     for (const Thing& thing : scene.things) {
+        if (thing.filter) {
+            for (const Gem& gem : scene.gems) {
+                if (!cuts(thing, gem.stone)) continue;
+                out.push_back(gem.name + ": a sheet runs through this stone; move it out");
+            }
+            continue;
+        }
         for (const Vec3& point : outermost_points(thing)) {
             if (const Gem* gem = gem_around(scene, point)) {
                 out.push_back(gem->name + ": an opaque object is inside this stone; move it out");

@@ -1,14 +1,18 @@
 // A scene as the renderer sees it: right-handed, everything in world coordinates.
 #pragma once
 
+#include <numbers>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "math/transform.hpp"
+#include "polarisation/mueller.hpp"
 #include "polarisation/stokes.hpp"
 #include "scene/crystal.hpp"
+#include "scene/formula.hpp"
+#include "scene/pigment.hpp"
+#include "scene/shape.hpp"
 #include "spectrum/spectrum.hpp"
 #include "stone/stone.hpp"
 
@@ -18,13 +22,22 @@ namespace icespar {
 /// u right and v up, both from -1/2 to 1/2:
 ///   perspective:   from location along direction + u right + v up
 ///   orthographic:  from location + u right + v up along direction
+///   fisheye:       from location, at angles from `direction` that grow evenly with the distance
+///                  from the picture's middle, half of fisheye_angle at |v| = 1/2
 struct Camera {
-    enum class Kind { perspective, orthographic };
+    enum class Kind { perspective, orthographic, fisheye };
     Kind kind = Kind::perspective;
     Vec3 location{0, 0, 0};
     Vec3 direction{0, 0, -1};
     Vec3 right{4.0 / 3, 0, 0};
     Vec3 up{0, 1, 0};
+    double fisheye_angle = std::numbers::pi;
+    double lens_radius = 0, focal_distance = 1;  ///< the latter along `direction`
+    std::optional<Jones> analyser{};             ///< before the sensor, on its x and y
+    /// One ray a point of the picture, and nothing between it and the sensor.
+    [[nodiscard]] bool is_simple() const {
+        return kind != Kind::fisheye && lens_radius == 0 && !analyser;
+    }
 };
 
 struct Gem {
@@ -33,35 +46,43 @@ struct Gem {
     std::string name;  ///< where it stands in the scene file, for messages
 };
 
-/// Patterns live in their own space: `to_pattern` takes world points there.
-struct Pigment {
-    enum class Kind { plain, checker, grid };
-    Kind kind = Kind::plain;
-    Spectrum first{1.0}, second{0.0};  ///< plain: first; checker: A, B; grid: line, ground
-    double line_width = 0.1;           ///< grid, in cells
-    Transform to_pattern{};
-};
-
-/// Radiance = emission pigment D65 + diffuse pigment (what falls on it, POV-Ray's scale: a light of
-/// colour 1 straight above a diffuse 1 surface gives 1).
+/// Radiance = emission tint pigment D65 + diffuse pigment (what falls on it, POV-Ray's scale: a
+/// light of colour 1 straight above a diffuse 1 surface gives 1).
 struct Finish {
     double diffuse = 0.6, emission = 0;
+    Spectrum tint{1.0};
 };
 
-struct PlaneShape {};   ///< y = 0 in object space
-struct BoxShape {};     ///< the unit cube 0 .. 1 in object space
-struct SphereShape {};  ///< the unit sphere in object space
+/// An ideal thin sheet: light goes on unbent and unreflected, whatever the angle.
+struct Filter {
+    enum class Kind { polariser, waveplate, neutral };
+    Kind kind = Kind::neutral;
+    Vec3 axis{1, 0, 0};        ///< unit, in the sheet: what a polariser passes; a plate's fast axis
+    double retardance_nm = 0;  ///< waveplate: by how much its slow wave lies behind
+    double transmission = 1;   ///< neutral: of power
+};
+
 struct Thing {
-    std::variant<PlaneShape, BoxShape, SphereShape> shape;
+    Shape shape;
     Transform to_world{};
     Pigment pigment;
     Finish finish;
+    std::optional<Filter> filter{};  ///< of a sheet, which has no other looks
 };
 
 /// `light` is its colour at full strength as a spectrum (D65 times the scene's rgb, or an
 /// illuminant).
 struct Light {
+    enum class Kind { point, spot, cylinder };
+    Kind kind = Kind::point;
     Vec3 position;
+    Vec3 direction{0, -1, 0};  ///< unit, of spots, cylinders and parallel lights
+    /// POV-Ray's: within `radius` full, from `falloff` on dark; angles of a spot, lengths of a
+    /// cylinder; times cosine (or nearness to the axis) to the power of `tightness`.
+    double radius = 0, falloff = 0, tightness = 0;
+    bool parallel = false, shadowless = false;
+    bool circular = false,
+         orient = false;  ///< of an area light: an ellipse; turned to what it lights
     Vec3 edge_u{},
         edge_v{};  ///< an area light spans position +- edge/2; both zero for a point light
     Spectrum light = white();
@@ -77,12 +98,19 @@ struct Disc {
 };
 
 /// What surrounds the scene. Radiance from direction d (pointing away from the scene) is a linear
-/// blend over d's height along `up`: `below` at -1, `above` at +1; discs add to it.
+/// blend over d's height along `up`: `below` at -1, `above` at +1, or a pattern's, or formulas';
+/// discs add to it.
 struct Environment {
     Spectrum illuminant = white();    ///< radiance of value 1
     Spectrum below{0.0}, above{0.0};  ///< coloured values, times the illuminant
     Vec3 up{0, 1, 0};
     std::vector<Disc> discs{};
+    /// Takes the place of `below` and `above` where it is given; its points are unit directions.
+    std::optional<Pigment> pattern{};
+    /// One, for the radiance, or four, for a Stokes vector: of the direction in a space of its
+    /// own, left-handed as scenes are; take the place of all but discs.
+    std::vector<Formula> formulas{};
+    Transform to_own{};
     /// Polarisation for one who looks at the source, x right, y (world up) up; s0 = 1.
     Stokes state{1, 0, 0, 0};
 };
@@ -99,11 +127,15 @@ struct Scene {
 
 /// Faults of a finished scene that would make a wrong picture: overlapping gems, lights and corners
 /// or poles of opaque objects inside a gem, an index below 1, numbers that are not finite. Empty
-/// when all is well.
+/// when all is well. A fault of a gem begins with its name and a colon.
 [[nodiscard]] std::vector<std::string> faults(const Scene& scene);
 
 /// The same for its camera, which must not stand inside a gem.
 [[nodiscard]] std::vector<std::string> camera_faults(const Scene& scene);
+
+/// The Stokes vector that the formulas give for a direction, y up in their own space, times the
+/// illuminant. What a formula leaves undefined or negative is dark.
+[[nodiscard]] Stokes formula_light(const Environment& environment, const Vec3& direction);
 
 /// The gem that holds this point in its interior, or nothing.
 [[nodiscard]] const Gem* gem_around(const Scene& scene, const Vec3& point);

@@ -54,6 +54,12 @@ struct Stone {
     /// number is not finite or all points lie in one plane.
     static Stone from_points(std::span<const Vec3> points);
 
+    /// The hull of a closed convex mesh, whose triangles may go round either way. Throws Error as
+    /// from_points does, and when an edge does not join two triangles, or the mesh is dented by more
+    /// than numbers with six decimals explain: the message says where.
+    static Stone from_mesh(std::span<const Vec3> points,
+                           std::span<const std::array<std::uint32_t, 3>> triangles);
+
     /// The stone moved by t. A mirroring transform keeps corners counter-clockwise.
     [[nodiscard]] Stone transformed(const Transform& t) const;
 };

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "math/error.hpp"
-#include "support/gem_scenes.hpp"
+#include "support/lit_floor.hpp"
 
 using namespace icespar;
 using namespace icespar::testing;
@@ -108,10 +108,10 @@ TEST_CASE("a closed room of perfectly white walls is rendered in bounded time",
     room.shape = BoxShape{};
     room.to_world =
         Transform::translation({-0.5, -0.5, -0.5}).then(Transform::scaling({10, 10, 10}));
-    room.pigment.first = Spectrum(5.0);
+    room.pigment.colours = {Spectrum(5.0)};
     room.finish = {1, 0};
     scene.things.push_back(room);
-    scene.lights.push_back({{0, 1, 0}});
+    scene.lights.push_back(lamp_at({0, 1, 0}));
     const Rendering out = render(scene, small(4, 8), {});
     CHECK(out.report.samples == 8);
     CHECK(out.report.bad_samples == 0);
@@ -121,7 +121,7 @@ TEST_CASE("what stands inside a stone is refused, not passed over", "[render][bo
     Scene scene;
     scene.gems.push_back({cube_stone(), glass(1.5), "cube"});
     CHECK(faults(scene).empty());
-    scene.lights.push_back({{0, 0, 0.1}});
+    scene.lights.push_back(lamp_at({0, 0, 0.1}));
     REQUIRE(faults(scene).size() == 1);
     CHECK_THAT(faults(scene)[0], Contains("light source is inside"));
     Thing ball;

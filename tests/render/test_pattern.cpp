@@ -9,7 +9,7 @@ using namespace icespar;
 namespace {
 
 bool shows(const Pigment& pigment, double x, double y, double z, const Vec3& normal = {0, 1, 0}) {
-    return shows_first(pigment, {x, y, z}, normal);
+    return mix_at(pigment, {x, y, z}, normal).colour[0] == 0;
 }
 
 }  // namespace

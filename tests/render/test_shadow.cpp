@@ -33,7 +33,7 @@ TEST_CASE("a ball shades its own far side", "[surface]") {
     scene.environment = night();
     scene.things = {ball({0, 0, 0}, 2)};
     scene.things[0].finish = {1, 0};
-    scene.things[0].pigment.first = Spectrum(1.0);
+    scene.things[0].pigment.colours = {Spectrum(1.0)};
     scene.lights = {lamp_at({0, 1e6, 0})};
     for (const double angle : {0.0, 30.0, 60.0, 85.0, 95.0, 150.0}) {
         const Vec3 n{std::sin(angle * degree), std::cos(angle * degree), 0};

@@ -96,7 +96,7 @@ TEST_CASE("a surface that emits is as bright as emission times pigment, from any
     Scene scene;
     scene.environment = night();
     Thing glow = ball({0, 0, 0}, 1);
-    glow.pigment.first = Spectrum(0.5);
+    glow.pigment.colours = {Spectrum(0.5)};
     glow.finish = {0, 3};
     scene.things = {glow};
     Draws random(8);
@@ -108,7 +108,7 @@ TEST_CASE("a surface that emits is as bright as emission times pigment, from any
     // cosine-weighted sky.
     scene.things.push_back(floor_of(1, 1));
     scene.things[0] = ball({0, 2, 0}, 1);
-    scene.things[0].pigment.first = Spectrum(1.0);
+    scene.things[0].pigment.colours = {Spectrum(1.0)};
     scene.things[0].finish = {0, 1};
     scene.camera.location = {5, 1, 0};
     scene.camera.direction = {-5, -1, 0};
@@ -126,7 +126,7 @@ TEST_CASE("a glowing floor seen through a stone is the furnace of a stone", "[su
     Thing room;
     room.shape = SphereShape{};
     room.to_world = Transform::scaling({9, 9, 9});
-    room.pigment.first = Spectrum(1.0);
+    room.pigment.colours = {Spectrum(1.0)};
     room.finish = {0, 1};
     scene.things.push_back(room);
     const auto rays = random_rays(random, 60, 5, 0.8);
@@ -143,8 +143,8 @@ TEST_CASE("a pattern is seen where it lies", "[surface][pattern]") {
     scene.environment = night();
     Thing board;
     board.pigment.kind = Pigment::Kind::checker;
-    board.pigment.first = Spectrum(0.8);
-    board.pigment.second = Spectrum(0.1);
+    board.pigment.colours = {Spectrum(0.8)};
+    board.pigment.colours.push_back(Spectrum(0.1));
     board.finish = {0, 1};
     scene.things = {board};
     CHECK_THAT(seen_at(scene, 0.5, 0.5), WithinAbs(0.8, 1e-14));

@@ -10,7 +10,7 @@ namespace icespar::testing {
 /// The plane y = 0.
 inline Thing floor_of(double diffuse, double reflectance) {
     Thing thing;
-    thing.pigment.first = Spectrum(reflectance);
+    thing.pigment.colours = {Spectrum(reflectance)};
     thing.finish = {diffuse, 0};
     return thing;
 }
