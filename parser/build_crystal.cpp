@@ -36,42 +36,6 @@ Spectrum rotation_of(double degrees_per_mm) {
     return {std::move(nodes), std::move(values)};
 }
 
-/// The spectrum { ... } or gaussian { ... } that stands next, or nothing.
-std::optional<Spectrum> next_spectrum(Cursor& cursor) {
-    if (!cursor.more()) return std::nullopt;
-    const Item& item = cursor.peek();
-    const Block* block = item.kind == Item::Kind::block ? item.block.get()
-                         : item.value.block()           ? item.value.block()->get()
-                                                        : nullptr;
-    if (!block || (block->word != "spectrum" && block->word != "gaussian")) return std::nullopt;
-    cursor.take();
-    if (block->broken) throw Poisoned{block->place};
-    Cursor inner(*block);
-    std::vector<double> nodes, values;
-    if (block->word == "gaussian") {
-        const double centre = inner.number("a wavelength in nm", 1, 1e5),
-                     width = inner.number("a full width at half height in nm", 1e-3, 1e5),
-                     height = inner.number("a height", 0, 1e5);
-        if (inner.more()) {
-            throw Fault{inner.peek().place, "'gaussian' takes centre, width and height", {}};
-        }
-        for (double nm = shortest_nm; nm <= longest_nm; nm += 1) {
-            const double off = (nm - centre) / width;
-            nodes.push_back(nm);
-            values.push_back(height * std::exp2(-4 * off * off));
-        }
-    }
-    while (inner.more()) {
-        nodes.push_back(inner.number("a wavelength in nm", 1, 1e5));
-        values.push_back(inner.number("a value for this wavelength", -1e5, 1e5));
-    }
-    try {
-        return Spectrum(std::move(nodes), std::move(values));
-    } catch (const Error& error) {
-        throw Fault{block->place, error.what(), "write spectrum { 400, 0.1, 500, 0.3 }"};
-    }
-}
-
 Vec3 direction(Cursor& cursor) {
     const Vec3 v = cursor.vector("a direction");
     const double size = length(v);
@@ -215,7 +179,7 @@ void Builder::crystal_item(Cursor& cursor, InteriorLook& look, CrystalWords& wor
         absorption(*item.block, words);
     } else if (item.word == "rotation") {
         words.rotation = item.place;
-        const auto given = next_spectrum(cursor);
+        const auto given = spectrum(cursor, -1e5);
         crystal.rotation =
             given ? *given
                   : rotation_of(cursor.number("degrees per millimetre at 589 nm", -1000, 1000));
@@ -329,7 +293,7 @@ void Builder::absorption(const Block& block, CrystalWords& words) {
             cursor.take();
             continue;
         }
-        std::optional<Spectrum> value = next_spectrum(cursor);
+        std::optional<Spectrum> value = spectrum(cursor, -1e5);
         if (!value) value = Spectrum(cursor.number("an absorption per mm", 0, 10000));
         if (!(value->least() >= 0)) {
             throw Fault{cursor.place(), "a stone does not add light: absorption is at least 0", {}};

@@ -6,8 +6,8 @@
 namespace icespar {
 namespace {
 
-/// Cauchy's formula with this index at 589.3 nm and this ratio of the indices for violet and red, which
-/// is POV-Ray's `dispersion`; taken at the lines G and B, as for gems.
+/// Cauchy's formula with this index at 589.3 nm and this ratio of the indices for violet and red,
+/// which is POV-Ray's `dispersion`; taken at the lines G and B, as for gems.
 IndexFunction from_ratio(double n, double ratio) {
     const auto off = [](double um) { return 1 / (um * um) - 1 / (0.5893 * 0.5893); };
     const double b = n * (ratio - 1) / (off(0.4308) - ratio * off(0.6867));

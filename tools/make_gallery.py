@@ -74,6 +74,11 @@ are added as fields (docs/method.md): as powers all plates would be alike."""),
     ("coloured_brilliants", RENDER, {"size": "480x360", "spp": 32}, levels, """\
 Colour grows with the way that light has gone within the stone, and so differs from facet to facet. Emerald, sapphire and ruby are
 uniaxial, peridot is biaxial: their back facets are doubled."""),
+    ("crossed_polarisers", RENDER, {"size": "400x300", "spp": 32}, levels, """\
+Above, sheets that delay one polarisation by 0, 50, 100 ... 1900 nm: grey, white, yellow and brown, the sensitive tint
+at 550 nm, and so on through the second and third order, in the sequence of the chart of Michel-Levy. Below, slices of calcite
+turned from 0 to 90 degrees: the first and the last are there, and dark. Their o and e are added as powers: a slice
+so thick has no colours."""),
 ]
 
 

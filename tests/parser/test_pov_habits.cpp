@@ -38,7 +38,7 @@ TEST_CASE("#default takes a whole texture as well as its parts", "[habits]") {
         "0, "
         "1 }");
     CHECK(scene.things.at(0).finish.diffuse == 0.25);
-    CHECK_THAT(scene.things.at(0).pigment.first(550), WithinRel(0.5, 1e-9));
+    CHECK_THAT(scene.things.at(0).pigment.colours[0](550), WithinRel(0.5, 1e-9));
     CHECK_THAT(messages_of("#default { interior { ior 1.5 } }"),
                Contains("'interior' does not belong in '#default'"));
 }
@@ -92,7 +92,7 @@ TEST_CASE("a thing of a union keeps its own pigment, a thing by itself takes the
     const Scene scene = scene_of(head +
                                  "object { Ball pigment { rgb 0.6 } } "
                                  "object { object { Pair } pigment { rgb 0.6 } }");
-    CHECK_THAT(scene.things.at(0).pigment.first(550), WithinRel(0.6, 1e-9));
-    CHECK_THAT(scene.things.at(1).pigment.first(550), WithinRel(0.2, 1e-9));
-    CHECK_THAT(scene.things.at(2).pigment.first(550), WithinRel(0.6, 1e-9));
+    CHECK_THAT(scene.things.at(0).pigment.colours[0](550), WithinRel(0.6, 1e-9));
+    CHECK_THAT(scene.things.at(1).pigment.colours[0](550), WithinRel(0.2, 1e-9));
+    CHECK_THAT(scene.things.at(2).pigment.colours[0](550), WithinRel(0.6, 1e-9));
 }
