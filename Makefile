@@ -2,7 +2,7 @@
 SHELL := /bin/bash
 .SHELLFLAGS := -euo pipefail -c
 .DEFAULT_GOAL := help
-.PHONY: help deps build demo test bench accuracy gallery wheel clean
+.PHONY: help deps build demo test bench accuracy gallery editors fuzz wheel clean
 
 VENV := .venv
 BIN := $(VENV)/bin
@@ -19,6 +19,8 @@ help:
 	@echo 'make bench   error against time, and the interface at length, into bench/results'
 	@echo 'make accuracy measure the interface along every axis of stress, and draw docs/accuracy anew'
 	@echo 'make gallery render the pictures of docs/gallery.md anew'
+	@echo 'make editors write the grammar for editors anew, after a change of the language'
+	@echo 'make fuzz    feed the readers of files with nonsense for FUZZ_SECONDS (60) each, with clang'
 	@echo 'make wheel   a Python wheel in dist/'
 	@echo 'make clean   remove what was built (.venv and out/ stay)'
 
@@ -87,8 +89,20 @@ accuracy: build $(VENV)/.installed-test
 gallery: build $(VENV)/.installed-test
 	$(BIN)/python tools/make_gallery.py
 
+editors: build
+	cmake --build --preset release --target editor_files
+	build/tests/editor_files .
+
+# What is found stays in build-fuzz/found; a finding that is mended belongs into tests/fuzz/corpus.
+FUZZ_SECONDS ?= 60
+fuzz:
+	cmake -S . -B build-fuzz -G Ninja -DICESPAR_FUZZ=ON -DCMAKE_CXX_COMPILER=clang++ -DICESPAR_MARCH= \
+	  -DCMAKE_BUILD_TYPE=RelWithDebInfo -DCMAKE_CXX_FLAGS_RELWITHDEBINFO='-O1 -g1'
+	cmake --build build-fuzz --target fuzzers
+	tests/fuzz/run.sh build-fuzz $(FUZZ_SECONDS)
+
 wheel: $(VENV)/.installed
 	$(BIN)/python -m pip wheel . --no-deps -w dist
 
 clean:
-	rm -rf build build-sanitize dist
+	rm -rf build build-sanitize build-fuzz dist

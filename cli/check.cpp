@@ -1,4 +1,5 @@
-// `icespar check SCENE`: every message, and a line that says what the scene holds.
+// `icespar check SCENE`: every message, in words or as JSON, and a line that says what the scene
+// holds.
 #include "cli/commands.hpp"
 #include "cli/scene_file.hpp"
 
@@ -10,11 +11,13 @@ std::string count(std::size_t n, const std::string& what) {
 }
 }  // namespace
 
-int check_command(const std::filesystem::path& scene,
-                  const std::vector<std::filesystem::path>& allow, std::ostream& out,
-                  std::ostream& messages) {
-    LoadOptions options;
-    options.allow = allow;
+int check_command(const std::filesystem::path& scene, const LoadOptions& options, bool json,
+                  std::ostream& out, std::ostream& messages) {
+    if (json) {
+        const ReadScene read = read_scene(scene, options);
+        out << to_json(read.diagnostics) << '\n';
+        return read.scene ? exit_done : exit_fault;
+    }
     const ReadScene read = read_scene(scene, options, messages);
     const std::string warnings = count(static_cast<std::size_t>(read.warnings), "warning");
     if (!read.scene) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/animation.hpp"
 #include "render/render.hpp"
 
 namespace icespar {
@@ -24,15 +25,20 @@ struct RenderArguments {
     std::filesystem::path scene;
     std::vector<std::filesystem::path> outputs, allow;
     RenderOptions options;
+    Animation animation;
+    bool resume = false;  ///< pictures whose files are all there are left alone
 };
 
-/// Renders a scene and writes every output. `messages` is stderr.
+/// Renders a scene, or each frame of it, and writes every output. `messages` is stderr.
 int render_command(const RenderArguments& arguments, std::ostream& messages);
 
-/// Reads a scene and says what is wrong with it, or what is in it.
-int check_command(const std::filesystem::path& scene,
-                  const std::vector<std::filesystem::path>& allow, std::ostream& out,
-                  std::ostream& messages);
+/// Reads a scene and says what is wrong with it, or what is in it; as JSON, to `out`, for editors.
+int check_command(const std::filesystem::path& scene, const LoadOptions& options, bool json,
+                  std::ostream& out, std::ostream& messages);
+
+/// Prints the scene evenly indented, or writes it back in place.
+int format_command(const std::filesystem::path& scene, bool in_place, std::ostream& out,
+                   std::ostream& messages);
 
 struct ConvertArguments {
     std::filesystem::path source, target;

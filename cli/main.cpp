@@ -7,6 +7,7 @@
 #include "cli/commands.hpp"
 #include "cli/stone.hpp"
 #include "math/error.hpp"
+#include "parser/diagnostic.hpp"
 
 namespace {
 
@@ -49,6 +50,20 @@ std::string folder(const std::string& text) {
     std::error_code ignored;
     if (std::filesystem::is_directory(text, ignored)) return {};
     return "there is no folder '" + text + "'";
+}
+
+/// What CLI11 does with a wrong value, where there is a message.
+void refuse(const std::string& message) {
+    if (!message.empty()) throw CLI::ValidationError(message);
+}
+
+/// "render, check, ... and minerals"
+std::string commands(const CLI::App& app) {
+    std::vector<std::string_view> names;
+    for (const CLI::App* command : app.get_subcommands({})) {
+        names.push_back(command->get_name());
+    }
+    return listed(names, " and ");
 }
 
 constexpr auto render_footer =
@@ -121,8 +136,30 @@ int main(int argc, char** argv) {
         ->allow_extra_args(false)
         ->check(folder);
 
+    Animation& animation = arguments.animation;
+    bool two_clocks = false;
+    render
+        ->add_option_function<std::string>(
+            "--frames", [&](const std::string& text) { refuse(read_frames(text, animation)); },
+            "Render frames A to B, or those of an animation of N frames;\n"
+            "frame 7 of name.png is name0007.png")
+        ->type_name("A-B[/N]");
+    const auto clock_option = [&](CLI::App* command, const char* type, const char* help) {
+        const auto read = [&](const std::string& text) {
+            refuse(read_clock(text, animation.clock_from, animation.clock_to, two_clocks));
+        };
+        command->add_option_function<std::string>("--clock", read, help)->type_name(type);
+    };
+    clock_option(render, "T|FROM,TO",
+                 "What 'clock' is in the scene (default 0), or in the first and the last of\n"
+                 "the frames (default 0,1)");
+    render->add_flag("--resume", arguments.resume, "Leave alone what is there already");
+
     CLI::App* check = app.add_subcommand("check", "Read a scene and say what is wrong with it");
     check->footer("Exit codes: 0 nothing is wrong, 1 the scene is at fault, 2 wrong usage.");
+    bool json = false;
+    check->add_flag("--json", json, "The messages as a JSON array on stdout, for editors");
+    clock_option(check, "T", "What 'clock' is in the scene (default 0)");
     check->add_option("SCENE", arguments.scene, "A scene in a .spar, .pov or .inc file")
         ->required();
     check
@@ -131,6 +168,13 @@ int main(int argc, char** argv) {
         ->type_name("DIR")
         ->allow_extra_args(false)
         ->check(folder);
+
+    CLI::App* format =
+        app.add_subcommand("format", "Print a scene evenly indented; its meaning is untouched");
+    format->add_option("SCENE", arguments.scene, "A scene in a .spar, .pov or .inc file")
+        ->required();
+    bool in_place = false;
+    format->add_flag("-i,--write", in_place, "Write it back into its file instead");
 
     CLI::App* stone =
         app.add_subcommand("stone", "Facets, volume and proportions of a faceting design");
@@ -175,19 +219,30 @@ int main(int argc, char** argv) {
     try {
         const auto named = [&](const CLI::App* command) { return command->check_name(argv[1]); };
         if (argc > 1 && argv[1][0] != '-' && app.get_subcommands(named).empty()) {
-            std::cerr << "icespar: there is no command '" << argv[1]
-                      << "'; the commands are render, check, stone, convert and minerals\n";
+            std::cerr << "icespar: there is no command '" << argv[1] << "'; the commands are "
+                      << commands(app) << '\n';
             return exit_usage;
         }
         app.parse(argc, argv);
         if (render->parsed()) {
             RenderOptions& o = arguments.options;
+            if (two_clocks && !animation.on)
+                refuse("--clock: FROM,TO is for --frames; give one number for a still picture");
+            if (!two_clocks && animation.on && render->count("--clock") > 0)
+                refuse("--clock: with --frames it is FROM,TO");
             if (o.error == 0 && o.seconds == 0 && o.samples == 0) o.samples = 64;
             return render_command(arguments, std::cerr);
         }
-        if (check->parsed())
-            return check_command(arguments.scene, arguments.allow, std::cout, std::cerr);
         if (convert->parsed()) return convert_command(conversion, std::cerr);
+        if (check->parsed()) {
+            if (two_clocks) refuse("--clock: a check has one clock, not two");
+            LoadOptions options;
+            options.allow = arguments.allow;
+            options.clock = animation.clock_from;
+            return check_command(arguments.scene, options, json, std::cout, std::cerr);
+        }
+        if (format->parsed())
+            return format_command(arguments.scene, in_place, std::cout, std::cerr);
         if (minerals->parsed()) return minerals_command(mineral, colours, std::cout, std::cerr);
         stone_command(file, std::cout);
         return exit_done;

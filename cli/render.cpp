@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdio>
+#include <set>
 #include <thread>
 
 #include "cli/commands.hpp"
@@ -89,6 +90,46 @@ std::string report_line(const RenderReport& report) {
            std::to_string(report.bad_samples) + " bad samples";
 }
 
+/// One picture from its scene to its files; `told` are the messages that the user has seen.
+int render_picture(const RenderArguments& arguments, const LoadOptions& load,
+                   std::set<std::string>& told, std::ostream& messages) {
+    const ReadScene read = read_scene(arguments.scene, load, messages, &told);
+    if (!read.scene) return exit_fault;
+    messages << plan_line(arguments) << std::endl;
+    Rendering rendering;
+    {
+        ProgressBar bar;
+        rendering = render(*read.scene, arguments.options, [&](const Progress& progress) {
+            bar.show(progress);
+            return !InterruptGuard::requested();
+        });
+    }
+    const bool interrupted = rendering.report.interrupted;
+    if (interrupted && rendering.report.paths == 0) {
+        messages << "interrupted before the first sample; nothing is written\n";
+        return exit_interrupted_unsaved;
+    }
+    // A frame that is there counts as done when the render is resumed.
+    if (interrupted && arguments.animation.on) {
+        messages << "interrupted; this frame is not written: go on with --resume\n";
+        return exit_interrupted_unsaved;
+    }
+    rendering.image.metadata["scene"] = arguments.scene.filename().string();
+    if (arguments.animation.on) rendering.image.metadata["clock"] = format("%.17g", load.clock);
+    for (const fs::path& file : arguments.outputs)
+        extension(file) == ".exr" ? write_exr(rendering.image, file.string())
+                                  : write_png(rendering.image, file.string());
+    messages << report_line(rendering.report) << '\n';
+    return interrupted ? exit_interrupted : exit_done;
+}
+
+bool all_there(const std::vector<fs::path>& files) {
+    return std::all_of(files.begin(), files.end(), [](const fs::path& file) {
+        std::error_code ignored;
+        return fs::is_regular_file(file, ignored);
+    });
+}
+
 }  // namespace
 
 int render_command(const RenderArguments& arguments, std::ostream& messages) {
@@ -100,29 +141,28 @@ int render_command(const RenderArguments& arguments, std::ostream& messages) {
     load.width = arguments.options.width;
     load.height = arguments.options.height;
     load.allow = arguments.allow;
-    const ReadScene read = read_scene(arguments.scene, load, messages);
-    if (!read.scene) return exit_fault;
+    load.clock = arguments.animation.clock_from;
 
-    messages << plan_line(arguments) << std::endl;
     const InterruptGuard guard;
-    Rendering rendering;
-    {
-        ProgressBar bar;
-        rendering = render(*read.scene, arguments.options, [&](const Progress& progress) {
-            bar.show(progress);
-            return !InterruptGuard::requested();
-        });
+    std::set<std::string> told;
+    bool saved = false;
+    for (int frame = arguments.animation.first; frame <= arguments.animation.last; ++frame) {
+        RenderArguments now = arguments;
+        if (arguments.animation.on) {
+            arguments.animation.tell(frame, load);
+            for (fs::path& file : now.outputs) file = arguments.animation.file(file, frame);
+        }
+        if (arguments.resume && all_there(now.outputs)) {
+            messages << now.outputs.front().string() << " is there already\n";
+            saved = true;
+            continue;
+        }
+        const int code = render_picture(now, load, told, messages);
+        if (code == exit_interrupted_unsaved && saved) return exit_interrupted;
+        if (code != exit_done) return code;
+        saved = true;
     }
-    if (rendering.report.interrupted && rendering.report.paths == 0) {
-        messages << "interrupted before the first sample; nothing is written\n";
-        return exit_interrupted_unsaved;
-    }
-    rendering.image.metadata["scene"] = arguments.scene.filename().string();
-    for (const fs::path& file : arguments.outputs)
-        extension(file) == ".exr" ? write_exr(rendering.image, file.string())
-                                  : write_png(rendering.image, file.string());
-    messages << report_line(rendering.report) << '\n';
-    return rendering.report.interrupted ? exit_interrupted : exit_done;
+    return exit_done;
 }
 
 }  // namespace icespar

@@ -31,6 +31,13 @@ std::string_view next_word(std::string_view& rest) {
     return word;
 }
 
+/// An `a` record so far.
+struct Open {
+    int line = 0;
+    Tier tier{};
+    bool has_angle = false, has_distance = false, name_follows = false, in_text = false;
+};
+
 class GemCadReader {
 public:
     explicit GemCadReader(std::string file) : file_(std::move(file)) {}
@@ -38,13 +45,6 @@ public:
     Design read(std::string_view text);
 
 private:
-    /// An `a` record so far.
-    struct Open {
-        int line = 0;
-        Tier tier{};
-        bool has_angle = false, has_distance = false, name_follows = false, in_text = false;
-    };
-
     [[noreturn]] void fail(const std::string& message) const {
         throw Error(file_ + ":" + std::to_string(line_) + ": " + message);
     }

@@ -24,18 +24,6 @@ int following_bytes(unsigned char lead) {
                          : -1;
 }
 
-bool is_utf8(std::string_view text) {
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const int following = following_bytes(static_cast<unsigned char>(text[i]));
-        if (following < 0) return false;
-        for (int k = 0; k < following; ++k) {
-            if (++i >= text.size() || (static_cast<unsigned char>(text[i]) & 0xC0) != 0x80)
-                return false;
-        }
-    }
-    return true;
-}
-
 /// Code page 1252 of UTF-8; nothing when a character is not in it.
 std::optional<std::string> code_page(std::string_view text) {
     std::string out;
@@ -62,6 +50,26 @@ std::optional<std::string> code_page(std::string_view text) {
 }
 
 }  // namespace
+
+bool is_utf8(std::string_view text) {
+    const auto byte = [&](std::size_t i) {
+        return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
+    };
+    for (std::size_t i = 0; i < text.size();) {
+        const unsigned lead = byte(i), next = byte(i + 1);
+        const std::size_t length = lead < 0x80 ? 1 : lead < 0xe0 ? 2 : lead < 0xf0 ? 3 : 4;
+        if (lead >= 0x80 && (lead < 0xc2 || lead > 0xf4)) return false;
+        // Longer forms than need be, halves of pairs, and numbers beyond the last character.
+        if ((lead == 0xe0 && next < 0xa0) || (lead == 0xed && next > 0x9f) ||
+            (lead == 0xf0 && next < 0x90) || (lead == 0xf4 && next > 0x8f))
+            return false;
+        for (std::size_t k = 1; k < length; ++k) {
+            if ((byte(i + k) & 0xc0) != 0x80) return false;
+        }
+        i += length;
+    }
+    return true;
+}
 
 std::string utf8(std::string_view text) {
     if (is_utf8(text)) return std::string(text);

@@ -6,6 +6,7 @@
 
 namespace icespar {
 
+[[nodiscard]] bool is_utf8(std::string_view text);
 /// UTF-8 of a text that is UTF-8 or in the code page of Windows (1252), which GemCad writes.
 [[nodiscard]] std::string utf8(std::string_view text);
 /// The same text for GemCad: code page 1252 where that holds it and `utf8` would read it back,

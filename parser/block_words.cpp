@@ -43,15 +43,21 @@ void Parser::word_item(Block& block, const Token& token) {
         diagnostics_.warning(where, quoted + " is left out: " + std::string(info.advice), {},
                              name.text);
     } else if (info.kind == WordKind::refused) {
-        diagnostics_.error(where, quoted + " cannot be rendered", std::string(info.advice));
+        std::string hint = legal && block.word != "scene" ? did_you_mean(name.text, *legal) : "";
+        if (hint.empty()) hint = info.advice;
+        diagnostics_.error(where, quoted + " cannot be rendered", hint);
     } else if (info.kind == WordKind::name) {
         return unknown_word(block, token);
+    } else if (info.kind == WordKind::directive) {
+        diagnostics_.error(where, quoted + " is a directive", "write '#" + name.text + "'");
+        return skip_line(token);
     } else {
         std::string hint;
         if (legal && !legal->empty()) hint = did_you_mean(name.text, *legal);
         diagnostics_.error(where, quoted + " does not belong in '" + std::string(block.word) + "'",
                            hint);
     }
+    block.lacking = block.lacking || info.kind != WordKind::skipped;
     next();
     // A word that is left out stays in the tree as one, so that what follows is not taken for
     // another's.
@@ -105,6 +111,11 @@ void Parser::unknown_word(Block& block, const Token& token) {
         return;
     }
     std::string hint;
+    if (diagnostics_.quiet()) {
+        next();
+        if (after == '{') skip_braces(token);
+        return diagnostics_.pass_over();
+    }
     if (legal) hint = did_you_mean(text, *legal);
     if (hint.empty() && after != '{') hint = hint_for_name(text, false);
     if (hint.empty()) hint = did_you_mean(text, skipped_words());
@@ -112,6 +123,7 @@ void Parser::unknown_word(Block& block, const Token& token) {
     diagnostics_.error(
         where, "unknown word " + quoted + (top ? "" : " in '" + std::string(block.word) + "'"),
         hint);
+    block.lacking = true;
     next();
     add(block, {Item::Kind::word, where, {}, {}, {}});
     if (after == '{') skip_braces(token);

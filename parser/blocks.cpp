@@ -39,6 +39,8 @@ BlockPtr Parser::parse(std::uint32_t file) {
         bool first = tokens_ == recovered_at;
         for (;; first = false) {
             try {
+                const bool directive = frame().at < frame().end && raw().kind == tok::directive;
+                if (!first && braces_ <= depth && directive) break;
                 const Token& token = peek();
                 if (token.kind == tok::end) break;
                 if (!first && braces_ <= depth && token.kind == tok::word && raw(1).kind == '{' &&
@@ -86,6 +88,7 @@ BlockPtr Parser::block(const Token& word) {
         block->broken = true;
         recover(depth);
     }
+    if (block->lacking || block->broken) diagnostics_.excuse(block->place);
     return block;
 }
 
@@ -124,7 +127,11 @@ void Parser::items(Block& block, char closer) {
             continue;
         }
         if (token.kind == ',') {
-            if (after_comma) throw Fault{here(), "unexpected ','", {}};
+            if (after_comma) {
+                const bool decimal = raw(1).kind == tok::number && last_.kind == tok::number;
+                throw Fault{here(), "unexpected ','",
+                            decimal ? "decimals are written with a point" : ""};
+            }
             after_comma = true;
             next();
             continue;
@@ -142,6 +149,11 @@ void Parser::add(Block& block, Item item) {
     const int depth = 1 + std::max(depth_of(item.value), item.block ? item.block->depth : 0);
     block.depth = std::max(block.depth, depth);
     check_depth(block.depth, item.place);
+    const auto lacks = [](const BlockPtr* inner) {
+        return inner && *inner && ((*inner)->lacking || (*inner)->broken);
+    };
+    block.lacking = block.lacking || lacks(&item.block) || lacks(item.value.block()) ||
+                    (item.kind == Item::Kind::value && item.value.empty());
     block.items.push_back(std::move(item));
 }
 
@@ -179,8 +191,9 @@ bool Parser::item(Block& block, char closer) {
         case tok::word:
             break;
         default:
-            throw Fault{
-                where, "unexpected " + shown(token) + " in '" + std::string(block.word) + "'", {}};
+            throw Fault{where,
+                        "unexpected " + shown(token) + " in '" + std::string(block.word) + "'",
+                        token.kind == '=' ? "a word is followed by its value, without '='" : ""};
     }
     const Name& name = names_[token.index];
     const bool opens = raw(1).kind == '{';

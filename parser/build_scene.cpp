@@ -46,10 +46,13 @@ Scene Builder::build(const Block& block) {
         }
     }
     scene_.camera = build_camera(Block{"camera", block.place, {}});
+    bool after_word = false;  // whose block is missing: the values that follow belong to it
     for (const Item& item : block.items) {
         step(item.place);
         guarded([&] {
-            if (item.kind == Item::Kind::word) {
+            if (item.kind == Item::Kind::value && after_word && !item.value.block()) return;
+            after_word = item.kind == Item::Kind::word;
+            if (after_word) {
                 if (item.word.empty()) return;
                 throw Fault{item.place, "'" + std::string(item.word) + "' needs '{' after it", {}};
             }
@@ -67,11 +70,14 @@ Scene Builder::build(const Block& block) {
             }
             const std::string_view word = inner->word;
             if (inner->broken) return;
-            if (word == "global_settings" || word == "pigment" || word == "finish" ||
-                word == "texture") {
+            const bool set_before =
+                item.kind == Item::Kind::block && (word == "global_settings" || word == "pigment" ||
+                                                   word == "finish" || word == "texture");
+            if (set_before) {
                 return;
             } else if (word == "camera") {
                 scene_.camera = build_camera(*inner);
+                camera_place_ = item.place;
             } else if (word == "background") {
                 background(*inner);
             } else if (word == "sky_sphere") {
@@ -244,6 +250,7 @@ void Builder::finish_stone(const Part& part, Solid& solid) {
     }
     gem.name = sources_.file_and_line(part.where);
     scene_.gems.push_back(std::move(gem));
+    gem_places_.push_back(part.where);
 }
 
 }  // namespace icespar

@@ -298,7 +298,11 @@ void Builder::design(const Place& place, const std::string& file, Solid& solid) 
             solid.planes.push_back({from_gemcad(plane.normal), plane.distance, plane.name});
         }
     } catch (const Error& error) {
-        throw Fault{place, error.what(), {}};
+        // By the name that the scene gives it, not by its place on this machine.
+        std::string message = error.what();
+        if (const std::string path = found.path->string(); message.starts_with(path))
+            message.replace(0, path.size(), printable(file));
+        throw Fault{place, message, {}};
     }
 }
 

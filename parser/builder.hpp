@@ -78,6 +78,10 @@ public:
 
     /// Faults are in the diagnostics; throws Stop.
     Scene build(const Block& scene);
+    /// Of each of the scene's gems, in their order.
+    [[nodiscard]] const std::vector<Place>& gem_places() const { return gem_places_; }
+    /// Of the scene's camera; nothing when there is no such block.
+    [[nodiscard]] const std::optional<Place>& camera_place() const { return camera_place_; }
 
 private:
     /// Runs f; a Fault in it is reported and ends it. False when there was one.
@@ -151,6 +155,8 @@ private:
     Diagnostics& diagnostics_;
     Scene scene_;
     Place where_;
+    std::vector<Place> gem_places_;
+    std::optional<Place> camera_place_;
     Look defaults_;
     std::array<double, 3> ambient_light_{1, 1, 1};
     std::map<const Block*, std::shared_ptr<Solid>> solids_;

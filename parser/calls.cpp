@@ -62,11 +62,16 @@ std::optional<Value> Parser::constant(std::string_view name) {
     if (name == "clock") return options_.clock;
     if (name == "image_width") return static_cast<double>(options_.width);
     if (name == "image_height") return static_cast<double>(options_.height);
-    if (name == "version") return 3.7;
-    if (name == "clock_on" || name == "clock_delta" || name == "initial_clock") return 0.0;
-    if (name == "final_clock" || name == "frame_number" || name == "initial_frame" ||
-        name == "final_frame") {
-        return 1.0;
+    if (name == "version") return version_;
+    const double frames = options_.final_frame - options_.initial_frame;
+    if (name == "frame_number") return static_cast<double>(options_.frame_number);
+    if (name == "initial_frame") return static_cast<double>(options_.initial_frame);
+    if (name == "final_frame") return static_cast<double>(options_.final_frame);
+    if (name == "initial_clock") return options_.initial_clock;
+    if (name == "final_clock") return options_.final_clock;
+    if (name == "clock_on") return frames > 0 ? 1.0 : 0.0;
+    if (name == "clock_delta") {
+        return frames > 0 ? (options_.final_clock - options_.initial_clock) / frames : 0.0;
     }
     return std::nullopt;
 }

@@ -31,6 +31,11 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }
 
 constexpr std::size_t widest_line = 110;  // characters of source shown in a message
+constexpr std::size_t most_calls = 8;     // of the stack
+
+bool same(const CallSite& a, const CallSite& b) {
+    return a.macro == b.macro && a.file == b.file && a.line == b.line && a.column == b.column;
+}
 
 std::size_t characters(std::string_view text) {
     return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
@@ -68,6 +73,8 @@ std::string_view likeliest(std::string_view word, std::span<const std::string_vi
     std::size_t best = std::max<std::size_t>(1, word.size() / 3) + 1;
     std::string_view found;
     for (const std::string_view candidate : candidates) {
+        const auto [less, more] = std::minmax(word.size(), candidate.size());
+        if (more - less >= best) continue;
         const std::size_t distance = edit_distance(word, candidate);
         if (distance < best && distance < std::max(word.size(), candidate.size())) {
             best = distance;
@@ -111,7 +118,10 @@ std::string to_string(const Diagnostic& d) {
         }
         const std::string margin(std::to_string(d.line).size(), ' ');
         const std::size_t shown = characters(line);
-        auto under = static_cast<std::size_t>(std::max(1, d.length));
+        const bool within = d.end_line == d.line && d.end_column > d.column;
+        auto under = within                ? static_cast<std::size_t>(d.end_column - d.column)
+                     : d.end_line > d.line ? widest_line
+                                           : 1;
         under = std::max<std::size_t>(1, std::min(under, shown > caret ? shown - caret : 1));
         out += "\n  " + std::to_string(d.line) + " | " + line;
         out +=
@@ -120,8 +130,22 @@ std::string to_string(const Diagnostic& d) {
     } else if (!d.hint.empty()) {
         out += "; " + d.hint;
     }
-    for (const std::string& note : d.notes) out += "\n  " + note;
+    for (const std::string& note : notes(d)) out += "\n  " + note;
     return out;
+}
+
+std::vector<std::string> notes(const Diagnostic& d) {
+    std::vector<std::string> lines;
+    for (const CallSite& call : d.stack) {
+        if (lines.size() == most_calls) {
+            lines.emplace_back("... and so on up to the scene");
+            break;
+        }
+        lines.push_back(
+            (call.macro.empty() ? "included from " : "in macro '" + call.macro + "' called at ") +
+            call.file + ":" + std::to_string(call.line) + ":" + std::to_string(call.column));
+    }
+    return lines;
 }
 
 Diagnostic Diagnostics::at(const Place& place, std::string message, std::string hint) const {
@@ -133,30 +157,32 @@ Diagnostic Diagnostics::at(const Place& place, std::string message, std::string 
     d.line = where.line;
     d.column = where.column;
     d.source_line = std::string(sources_.line(place.file, where.line));
-    const std::string& text = sources_.file(place.file).text;
-    const std::size_t end = std::min<std::size_t>(place.end, text.size());
-    if (end > place.begin) {
-        d.length = static_cast<int>(
-            characters(std::string_view(text).substr(place.begin, end - place.begin)));
-    }
-    int shown = 0;
+    const std::size_t size = sources_.file(place.file).text.size();
+    const auto last = static_cast<std::uint32_t>(std::min<std::size_t>(place.end, size));
+    const LineColumn end = sources_.line_column(place.file, std::max(place.begin, last));
+    d.end_line = end.line;
+    d.end_column = end.column;
     for (std::uint32_t r = place.route; r != 0; r = sources_.route(r).call.route) {
         const RouteStep& step = sources_.route(r);
-        const LineColumn call = sources_.line_column(step.call.file, step.call.begin);
-        std::string note = (step.kind == RouteStep::Kind::macro
-                                ? "in macro '" + std::string(step.name) + "' called at "
-                                : std::string("included from ")) +
-                           sources_.file(step.call.file).name + ":" + std::to_string(call.line) +
-                           ":" + std::to_string(call.column);
+        const LineColumn at = sources_.line_column(step.call.file, step.call.begin);
+        CallSite call{step.kind == RouteStep::Kind::macro ? std::string(step.name) : std::string(),
+                      sources_.file(step.call.file).name, at.line, at.column};
         // What calls itself is said once.
-        if (!d.notes.empty() && d.notes.back() == note) continue;
-        if (++shown > 8) {
-            d.notes.emplace_back("... and so on up to the scene");
-            break;
-        }
-        d.notes.push_back(std::move(note));
+        if (!d.stack.empty() && same(d.stack.back(), call)) continue;
+        d.stack.push_back(std::move(call));
+        if (d.stack.size() > most_calls) break;
     }
     return d;
+}
+
+void warn_of_encoding(const Sources& sources, Diagnostics& diagnostics, std::uint32_t file) {
+    const SourceFile& source = sources.file(file);
+    if (source.was_utf8) return;
+    const auto first = std::find_if(source.text.begin(), source.text.end(),
+                                    [](char c) { return static_cast<unsigned char>(c) >= 0x80; });
+    const auto at = static_cast<std::uint32_t>(first - source.text.begin());
+    diagnostics.warning({file, at, at + 2, 0}, "this file is not UTF-8: it is read as Windows-1252",
+                        "save it as UTF-8");
 }
 
 /// What stands in a loop or a macro is wrong once, however often it is reached.
@@ -171,7 +197,8 @@ void Diagnostics::pass_over() {
 }
 
 void Diagnostics::error(const Place& place, std::string message, std::string hint) {
-    if (quiet_ || !is_new(place, message)) return pass_over();
+    const bool excused = errors_ > 0 && excused_.contains({place.file, place.begin});
+    if (quiet_ || excused || !is_new(place, message)) return pass_over();
     list_.push_back(at(place, std::move(message), std::move(hint)));
     if (++errors_ >= limits::errors) throw Stop{};
 }

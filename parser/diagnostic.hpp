@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "parser/load.hpp"
@@ -34,12 +35,17 @@ public:
     void warning(const Place& place, std::string message, std::string hint = {},
                  const std::string& once = {});
 
+    /// Something in the block at this place was at fault, so that nothing is said of what it lacks.
+    void excuse(const Place& block) { excused_.insert({block.file, block.begin}); }
+
     /// The error, then Stop.
     [[noreturn]] void fatal(const Place& place, std::string message, std::string hint = {});
 
     /// While quiet, errors and warnings are dropped: the parser is looking for the end of a broken
     /// block.
     void set_quiet(bool quiet) { quiet_ = quiet; }
+    /// A repair for a message that nobody reads need not be looked for.
+    [[nodiscard]] bool quiet() const { return quiet_; }
 
     /// A fault that is not told, because it was told before or the parser is looking for an end.
     /// Throws Stop after very many: a loop may hold one that costs time in every turn.
@@ -55,9 +61,13 @@ private:
     const Sources& sources_;
     std::vector<Diagnostic> list_;
     std::set<std::string> said_;
+    std::set<std::pair<std::uint32_t, std::uint32_t>> excused_;
     int errors_ = 0, warnings_ = 0, passed_over_ = 0;
     bool quiet_ = false;
 };
+
+/// Says so when a file was not UTF-8.
+void warn_of_encoding(const Sources& sources, Diagnostics& diagnostics, std::uint32_t file);
 
 /// The candidate that `word` most likely was meant to be; empty when none is near.
 [[nodiscard]] std::string_view likeliest(std::string_view word,

@@ -1,10 +1,21 @@
 // The directives that declare, include and report.
 #include <algorithm>
+#include <array>
 
+#include "parser/encoding.hpp"
 #include "parser/limits.hpp"
 #include "parser/parser.hpp"
 
 namespace icespar {
+namespace {
+
+bool opens_condition(std::string_view directive) {
+    static constexpr std::array<std::string_view, 6> openers{"if",    "ifdef", "ifndef",
+                                                             "while", "for",   "switch"};
+    return std::find(openers.begin(), openers.end(), directive) != openers.end();
+}
+
+}  // namespace
 
 void Parser::run_directive() {
     const Token token = raw();
@@ -34,32 +45,32 @@ void Parser::run_directive() {
         if (name == "debug" || name == "warning" || name == "error") {
             return text_directive(name, where);
         }
-        if (name == "version") {
-            number_argument("a version, such as 3.7");
-            if (raw().kind == ';') ++frame().at;
-            return;
-        }
+        if (name == "version") return version();
         const WordInfo& info = names_[token.index].info;
         if (info.kind == WordKind::refused) {
             throw Fault{where, "'#" + std::string(name) + "' is not read here",
                         std::string(info.advice)};
         }
-        throw Fault{where, "unknown directive '#" + std::string(name) + "'",
-                    did_you_mean(name, directive_words())};
+        throw Fault{
+            where, "unknown directive '#" + std::string(name) + "'",
+            name == "define" ? "did you mean 'declare'?" : did_you_mean(name, directive_words())};
     } catch (const Fault& fault) {
         diagnostics_.error(fault);
         // What is left of the line belongs to the broken directive.
         while (frames_.size() > frames) frames_.pop_back();
         if (frames_.size() < frames) return;
-        const std::string& text = sources_.file(frame().file->file).text;
-        const std::size_t from = std::min<std::size_t>(
-            std::max(token.end, fault.place.file == where.file ? fault.place.begin : 0U),
-            text.size());
-        const std::size_t line_end = std::min(text.find('\n', from), text.size());
-        while (frame().at < frame().end && raw().begin < line_end && raw().kind != '}' &&
-               raw().kind != tok::directive) {
-            ++frame().at;
+        // What a broken head governs is passed over with it, so that its '#end' is not a fault too.
+        if (opens_condition(name)) {
+            try {
+                skip_to({"end"}, token);
+            } catch (const Fault& unclosed) {
+                diagnostics_.error(unclosed);
+            }
+            return;
         }
+        Token from = token;
+        if (fault.place.file == where.file) from.begin = std::max(token.end, fault.place.begin);
+        skip_line(from);
     }
 }
 
@@ -165,6 +176,10 @@ void Parser::undef() {
 
 void Parser::include() {
     const Place where = place(raw());
+    if (raw().kind == tok::word && !find(raw().index) && raw(1).kind == '.') {
+        throw Fault{where, "the name of a file stands in quotes",
+                    "#include \"" + names_[raw().index].text + ".inc\""};
+    }
     const Value value = primary(Context::full);
     if (value.empty()) return;
     if (!value.text()) throw Fault{where, "expected the name of a file in quotes", {}};
@@ -202,14 +217,33 @@ void Parser::include() {
                 where, "'" + printable(name) + "' cannot be read, or is larger than " +
                            std::to_string(limits::file_bytes >> 20) + " MiB, the bound on a file");
         }
+        if (const std::string fault = not_a_text(*text); !fault.empty()) {
+            throw Fault{where, "'" + printable(name) + "' cannot be included: " + fault, {}};
+        }
         const std::uint32_t file = sources_.add(
             name, found.path ? found.path->parent_path() : sources_.file(0).folder, *text);
+        warn_of_encoding(sources_, diagnostics_, file);
         files_.push_back(
             std::make_unique<TokenFile>(tokenize(file, sources_.file(file).text, names_)));
         tokens = files_.back().get();
     }
     const std::uint32_t route = sources_.add_route({RouteStep::Kind::include, {}, where});
     frames_.push_back({tokens, 0, tokens->tokens.size() - 1, route});
+}
+
+/// The language is that of 3.7, whatever version is asked for; `version` yields what was.
+void Parser::version() {
+    if (raw().kind == tok::word && names_[raw().index].text == "unofficial") {
+        frame().at += raw(1).kind == tok::word ? 2 : 1;  // the patch's name
+    }
+    const Place where = place(raw());
+    const double number = number_argument("a version, such as 3.7");
+    if (!(number >= 1 && number < 3.9)) {
+        diagnostics_.warning(joined(where, last_place_),
+                             "the language is that of POV-Ray 3.7, not of this version");
+    }
+    version_ = number;
+    if (peek_operator().kind == ';') ++frame().at;
 }
 
 void Parser::text_directive(std::string_view kind, const Place& where) {

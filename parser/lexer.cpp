@@ -3,6 +3,8 @@
 
 #include <fast_float/fast_float.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "parser/diagnostic.hpp"
@@ -15,6 +17,23 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 bool is_name(char c) { return is_letter(c) || is_digit(c); }
 bool is_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+
+/// What other languages write with this character.
+std::string habit(std::string_view character) {
+    if (character == "%") return ": the remainder is mod(a, b)";
+    if (character == "^") return ": the power is pow(a, b)";
+    if (character == "'" || character == "\xe2\x80\x9c" || character == "\xe2\x80\x9d" ||
+        character == "\xe2\x80\x9e") {
+        return ": strings stand within straight double quotes";
+    }
+    return {};
+}
+
+bool is_unit(std::string_view text) {
+    static constexpr std::array<std::string_view, 8> units{"mm", "cm", "m",   "nm",
+                                                           "um", "in", "deg", "rad"};
+    return std::find(units.begin(), units.end(), text) != units.end();
+}
 
 class Lexer {
 public:
@@ -106,8 +125,9 @@ private:
         }
         // A character of several bytes is one mistake.
         while ((static_cast<unsigned char>(peek()) & 0xc0) == 0x80) ++at_;
+        const std::string_view character = text_.substr(begin, at_ - begin);
         push_string(tok::bad, begin,
-                    "unexpected character '" + printable(text_.substr(begin, at_ - begin)) + "'");
+                    "unexpected character '" + printable(character) + "'" + habit(character));
     }
 
     void number() {
@@ -117,10 +137,13 @@ private:
         const auto result = fast_float::from_chars(first, text_.data() + text_.size(), value);
         at_ = begin + std::max<std::size_t>(1, static_cast<std::size_t>(result.ptr - first));
         if (is_name(peek()) || (peek() == '.' && is_digit(peek(1)))) {
+            const std::size_t digits = at_;
             while (is_name(peek()) || peek() == '.') ++at_;
-            return push_string(
-                tok::bad, begin,
-                "'" + printable(text_.substr(begin, at_ - begin)) + "' is not a number");
+            std::string message =
+                "'" + printable(text_.substr(begin, at_ - begin)) + "' is not a number";
+            if (is_unit(text_.substr(digits, at_ - digits)))
+                message += ": leave out the unit (lengths are millimetres, angles degrees)";
+            return push_string(tok::bad, begin, std::move(message));
         }
         if (!std::isfinite(value)) {
             return push_string(tok::bad, begin, "this number is too large");

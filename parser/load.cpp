@@ -3,6 +3,7 @@
 
 #include "math/error.hpp"
 #include "parser/builder.hpp"
+#include "parser/encoding.hpp"
 #include "parser/limits.hpp"
 #include "parser/parser.hpp"
 
@@ -23,22 +24,37 @@ LoadResult load(std::string_view text, const std::string& name, const std::files
     Sources sources(folder, options.allow);
     Diagnostics diagnostics(sources);
     LoadResult result;
+    std::string unreadable = not_a_text(text);
     if (text.size() > limits::file_bytes) {
-        Diagnostic d;
-        d.file = name;
-        d.message = "the scene is larger than " + std::to_string(limits::file_bytes >> 20) +
-                    " MiB, the bound on a file";
-        result.diagnostics.push_back(d);
+        unreadable = "the scene is larger than " + std::to_string(limits::file_bytes >> 20) +
+                     " MiB, the bound on a file";
+    }
+    if (!unreadable.empty()) {
+        diagnostics.error(name, unreadable);
+        result.diagnostics = diagnostics.take();
         return result;
     }
     const std::uint32_t file = sources.add(name, folder, std::string(text));
     try {
+        warn_of_encoding(sources, diagnostics, file);
         Parser parser(sources, diagnostics, options);
         const BlockPtr tree = parser.parse(file);
-        Scene scene = Builder(sources, diagnostics).build(*tree);
+        Builder builder(sources, diagnostics);
+        Scene scene = builder.build(*tree);
         scene.title = title_of(text);
         if (diagnostics.errors() == 0) {
-            for (const std::string& fault : faults(scene)) diagnostics.error(name, fault);
+            for (const SceneFault& fault : scene_faults(scene)) {
+                if (fault.gem) {
+                    diagnostics.error(builder.gem_places()[*fault.gem], fault.message);
+                } else {
+                    diagnostics.error(name, fault.message);
+                }
+            }
+            // A scene without a camera may be traced all the same.
+            if (builder.camera_place()) {
+                for (const std::string& fault : camera_faults(scene))
+                    diagnostics.error(*builder.camera_place(), fault);
+            }
         }
         if (diagnostics.errors() == 0) result.scene = std::move(scene);
     } catch (const Error& error) {
@@ -70,9 +86,10 @@ LoadResult load_scene_file(const std::filesystem::path& file, const LoadOptions&
         LoadResult result;
         Diagnostic d;
         d.file = file.string();
-        d.message = std::filesystem::exists(file, error)
-                        ? "cannot be read as a scene, or is larger than 64 MiB"
-                        : "there is no such file";
+        d.message = !std::filesystem::exists(file, error) ? "there is no such file"
+                    : std::filesystem::is_directory(file, error)
+                        ? "this is a folder: name a scene in it"
+                        : "cannot be read as a scene, or is larger than 64 MiB";
         result.diagnostics.push_back(d);
         return result;
     }

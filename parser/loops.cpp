@@ -1,5 +1,6 @@
 // Conditions and loops: the text that a condition keeps, drops or repeats.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "parser/limits.hpp"
@@ -48,10 +49,27 @@ bool Parser::condition_value() {
             throw Fault{last_place_, "a condition is a float, not " + kind_of(value), {}};
         }
         while (frames_.size() > frames && frame().at >= frame().end) pop_frame();
+        constexpr std::array operators{'=',
+                                       '<',
+                                       '>',
+                                       '+',
+                                       '-',
+                                       '*',
+                                       '/',
+                                       '&',
+                                       '|',
+                                       tok::less_equal,
+                                       tok::greater_equal,
+                                       tok::not_equal};
+        if (frame().at < frame().end &&
+            std::find(operators.begin(), operators.end(), raw().kind) != operators.end()) {
+            throw Fault{place(raw()), "a condition stands within parentheses", "write #if (A > 0)"};
+        }
         return n && std::abs(n->c[0]) > epsilon;
     } catch (const Fault& fault) {
         diagnostics_.error(fault);
         while (frames_.size() > frames) frames_.pop_back();
+        if (frame().at > 0) skip_line(frame().file->tokens[frame().at - 1]);
         return false;
     }
 }

@@ -84,6 +84,7 @@ private:
     [[nodiscard]] Place here() { return place(peek()); }
     [[nodiscard]] std::string shown(const Token& token) const;
     void pop_frame();
+    void skip_line(const Token& from);
     void count_token();
 
     // --- directives (directives.cpp, loops.cpp, macros.cpp) ---
@@ -92,6 +93,7 @@ private:
     void assign_element(const SlotPtr& slot, const Place& place);
     void undef();
     void include();
+    void version();
     void text_directive(std::string_view kind, const Place& place);
     void set_default();
     void branch(const Token& directive, bool taken);
@@ -182,6 +184,7 @@ private:
     std::vector<Item> defaults_;
     std::size_t argument_frame_ = 0;
     int nesting_ = 0, braces_ = 0;
+    double version_ = 3.7;
     /// The block word that a missing '}' let swallow; blocks close up to where it may stand.
     bool closing_ = false;
     std::size_t tokens_ = 0, items_ = 0, array_elements_ = 0, bytes_ = 0, text_bytes_ = 0;

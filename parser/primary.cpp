@@ -33,8 +33,12 @@ Value Parser::primary(Context context) {
             throw Fault{start, shown(token), {}};
         case tok::word:
             break;
-        default:
-            throw Fault{start, "expected a value, found " + shown(token), {}};
+        default: {
+            const bool doubled = token.kind == last_.kind && last_place_.end == start.begin &&
+                                 last_place_.file == start.file;
+            throw Fault{start, "expected a value, found " + shown(token),
+                        doubled ? "it is written once: " + shown(token) : std::string()};
+        }
     }
     const std::string_view name = names_[token.index].text;
     if (name.starts_with("rgb") || name.starts_with("srgb") || name == "color" ||

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <fstream>
 
+#include "designs/text.hpp"
+#include "parser/encoding.hpp"
 #include "parser/limits.hpp"
 
 namespace icespar {
@@ -26,6 +28,10 @@ Sources::Sources(const fs::path& scene_folder, const std::vector<fs::path>& allo
 
 std::uint32_t Sources::add(std::string name, fs::path folder, std::string text) {
     SourceFile file{std::move(name), std::move(folder), std::move(text), {0}};
+    if (!is_utf8(file.text)) {
+        file.was_utf8 = false;
+        file.text = utf8(file.text);
+    }
     for (std::size_t i = 0; i < file.text.size(); ++i) {
         if (file.text[i] == '\n') file.line_starts.push_back(static_cast<std::uint32_t>(i + 1));
     }

@@ -26,6 +26,7 @@ struct SourceFile {
     std::filesystem::path folder;
     std::string text;
     std::vector<std::uint32_t> line_starts;
+    bool was_utf8 = true;  ///< `text` is, always
 };
 
 /// One step of a route: the call of a macro or an include.
@@ -46,7 +47,7 @@ public:
     Sources(const std::filesystem::path& scene_folder,
             const std::vector<std::filesystem::path>& allow);
 
-    /// Index of the new file.
+    /// Index of the new file. What is not UTF-8 is taken for the code page of Windows (1252).
     std::uint32_t add(std::string name, std::filesystem::path folder, std::string text);
     std::uint32_t add_route(const RouteStep& step);
 
@@ -80,5 +81,10 @@ private:
 [[nodiscard]] std::optional<std::string_view> library_file(std::string_view name);
 /// "colors.inc, shapes.inc"
 [[nodiscard]] std::vector<std::string_view> library_names();
+/// What the library declares, and where.
+struct LibraryName {
+    std::string_view name, file;
+};
+[[nodiscard]] std::vector<LibraryName> library_declarations();
 
 }  // namespace icespar

@@ -66,6 +66,7 @@ const Token& Parser::peek_operator() {
 Token Parser::next() {
     const Token token = peek();
     last_place_ = place(token);
+    last_ = token;
     if (frame().at < frame().end) ++frame().at;
     if (token.kind == '{') ++braces_;
     if (token.kind == '}') --braces_;
@@ -93,6 +94,16 @@ std::string Parser::shown(const Token& token) const {
     const std::string& text = sources_.file(frames_.back().file->file).text;
     return "'" + printable(std::string_view(text).substr(token.begin, token.end - token.begin)) +
            "'";
+}
+
+/// Past the tokens that begin before the line of `from` ends, up to a brace or a directive.
+void Parser::skip_line(const Token& from) {
+    const std::string& text = sources_.file(frame().file->file).text;
+    const std::size_t line_end = std::min(text.find('\n', from.begin), text.size());
+    while (frame().at < frame().end && raw().begin < line_end && raw().kind != '}' &&
+           raw().kind != tok::directive) {
+        ++frame().at;
+    }
 }
 
 void Parser::pop_frame() {

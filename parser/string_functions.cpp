@@ -34,8 +34,12 @@ std::optional<std::variant<double, std::string>> string_function(std::string_vie
     }
     if (name == "val") {
         a.count(1, 1);
-        const double value = std::strtod(a.text(0).c_str(), nullptr);
-        return std::isfinite(value) ? value : 0.0;
+        const std::string& text = a.text(0);
+        char* end = nullptr;
+        const double value = std::strtod(text.c_str(), &end);
+        if (end == text.c_str() || !std::isfinite(value))
+            throw Fault{a.whole, "the text '" + printable(text) + "' holds no number", {}};
+        return value;
     }
     if (name == "chr") {
         a.count(1, 1);

@@ -1,5 +1,8 @@
 // What names stand for. As in POV-Ray a name is looked up through all callers' locals, then
 // globally.
+#include <algorithm>
+
+#include "crystal/mineral.hpp"
 #include "parser/parser.hpp"
 
 namespace icespar {
@@ -60,9 +63,31 @@ std::vector<std::string_view> Parser::declared_names() const {
 }
 
 std::string Parser::hint_for_name(std::string_view word, bool called) const {
+    if (diagnostics_.quiet()) return {};
     std::vector<std::string_view> candidates = declared_names();
     if (called) candidates.insert(candidates.end(), value_words().begin(), value_words().end());
-    return did_you_mean(word, candidates);
+    const std::vector<LibraryName> library = library_declarations();
+    for (const auto& [name, file] : library) {
+        if (name == word) return "add #include \"" + std::string(file) + "\" above";
+    }
+    std::string small(word);
+    std::transform(small.begin(), small.end(), small.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+    if (small != word && (words_in(small) || word_info(small).kind == WordKind::value)) {
+        return "the language's words are written small: '" + small + "'";
+    }
+    if (find_mineral(word)) return "write it in quotes: \"" + std::string(word) + "\"";
+    std::string hint = did_you_mean(word, candidates);
+    if (!hint.empty() || word.size() < 4) return hint;
+    candidates.clear();
+    for (const auto& [name, file] : library) candidates.push_back(name);
+    const std::string_view found = likeliest(word, candidates);
+    for (const auto& [name, file] : library) {
+        if (name == found) {
+            return "did you mean '" + std::string(name) + "' of " + std::string(file) + "?";
+        }
+    }
+    return {};
 }
 
 }  // namespace icespar

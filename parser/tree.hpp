@@ -23,8 +23,9 @@ struct Block {
     std::string_view word;
     Place place;  ///< of the word before the brace
     std::vector<Item> items;
-    int depth = 1;        ///< blocks within blocks, through declared ones too
-    bool broken = false;  ///< a fault within was reported
+    int depth = 1;         ///< blocks within blocks, through declared ones too
+    bool broken = false;   ///< a fault within ended it
+    bool lacking = false;  ///< a fault was reported in place of one of its items
 };
 
 }  // namespace icespar

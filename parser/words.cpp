@@ -96,6 +96,13 @@ bool is_scene_block(std::string_view word) {
 std::span<const std::string_view> value_words() { return vocabulary().values; }
 std::span<const std::string_view> directive_words() { return vocabulary().directives; }
 
+std::vector<std::string_view> all_words() {
+    std::vector<std::string_view> words;
+    for (const auto& [word, info] : vocabulary().info) words.push_back(word);
+    std::sort(words.begin(), words.end());
+    return words;
+}
+
 std::span<const std::string_view> skipped_words() { return vocabulary().skipped; }
 
 }  // namespace icespar

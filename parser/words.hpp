@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace icespar {
 
@@ -39,5 +40,7 @@ struct WordInfo {
 [[nodiscard]] std::span<const std::string_view> directive_words();
 /// Words of POV-Ray's that are left out wherever they stand.
 [[nodiscard]] std::span<const std::string_view> skipped_words();
+/// Every word of the language, in the order of the alphabet, for editors.
+[[nodiscard]] std::vector<std::string_view> all_words();
 
 }  // namespace icespar

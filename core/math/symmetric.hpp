@@ -24,7 +24,7 @@ struct SymmetricTensor {
     }
     template <class S>
     friend auto operator*(const SymmetricTensor& a, const Vector3<S>& v)
-        -> Vector3<decltype(a.xx * v.x)> {
+        -> Vector3<decltype(T{} * S{})> {
         return {a.xx * v.x + a.xy * v.y + a.xz * v.z, a.xy * v.x + a.yy * v.y + a.yz * v.z,
                 a.xz * v.x + a.yz * v.y + a.zz * v.z};
     }

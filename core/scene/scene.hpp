@@ -97,9 +97,18 @@ struct Scene {
     std::string title;        ///< first comment line of the file
 };
 
+/// What would make a wrong picture, and the gem that is to blame: its number in scene.gems, or
+/// nothing for the environment.
+struct SceneFault {
+    std::optional<std::size_t> gem;
+    std::string message;
+};
+
 /// Faults of a finished scene that would make a wrong picture: overlapping gems, lights and corners
 /// or poles of opaque objects inside a gem, an index below 1, numbers that are not finite. Empty
-/// when all is well.
+/// when all is well; the first twenty or so when much is wrong.
+[[nodiscard]] std::vector<SceneFault> scene_faults(const Scene& scene);
+/// The same, each with its gem's name before it.
 [[nodiscard]] std::vector<std::string> faults(const Scene& scene);
 
 /// The same for its camera, which must not stand inside a gem.

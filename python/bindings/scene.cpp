@@ -96,7 +96,10 @@ void bind_scene(py::module_& module) {
         .def_readonly("column", &Diagnostic::column, "From 1.")
         .def_readonly("message", &Diagnostic::message)
         .def_readonly("hint", &Diagnostic::hint, "The likeliest repair; may be empty.")
-        .def_readonly("notes", &Diagnostic::notes, "Includes and macros, the innermost first.")
+        .def_property_readonly(
+            "end", [](const Diagnostic& d) { return py::make_tuple(d.end_line, d.end_column); },
+            "Line and column just after the last character.")
+        .def_property_readonly("notes", &notes, "Includes and macros, the innermost first.")
         .def("__str__", [](const Diagnostic& d) { return to_string(d); })
         .def("__repr__", [](const Diagnostic& d) { return "<Diagnostic " + to_string(d) + ">"; });
 
@@ -104,8 +107,7 @@ void bind_scene(py::module_& module) {
         .def_readonly("title", &Scene::title)
         .def_property_readonly("gems", [](const Scene& s) { return s.gems.size(); })
         .def_property_readonly("things", [](const Scene& s) { return s.things.size(); })
-        .def_property_readonly("lights", [](const Scene& s) { return s.lights.size(); })
-        .def("faults", [](const Scene& s) { return faults(s); });
+        .def_property_readonly("lights", [](const Scene& s) { return s.lights.size(); });
 
     module.def(
         "load_file",

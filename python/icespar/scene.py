@@ -43,8 +43,14 @@ def load(
     `size` and `clock` are what image_width, image_height and clock say in the scene. Files are read only
     below the scene's folder (for a text: `folder`) and the folders of `allow`.
 
+    An animation is a loop over clocks.
+
     Raises SceneError with all messages when the scene is at fault; each warning becomes a SceneWarning.
     """
+    if isinstance(source, str) and not source.strip():
+        raise ValueError("load: the source is empty; give a scene's text, or the path of its file")
+    if not math.isfinite(clock):
+        raise ValueError(f"clock: {clock!r} is not a finite number")
     width, height = _size(size)
     folders = [pathlib.Path(path) for path in allow]
     if isinstance(source, str) and ("\n" in source or "{" in source):
@@ -54,9 +60,10 @@ def load(
         name = pathlib.Path(source).name
         core, diagnostics = _core.load_file(pathlib.Path(source), width, height, clock, folders)
     if core is None:
-        raise SceneError("\n".join(str(d) for d in diagnostics), diagnostics)
-    if faults := core.faults():
-        raise SceneError("\n".join(faults), diagnostics)
+        message = "\n".join(str(d) for d in diagnostics)
+        if isinstance(source, str) and name != "text" and not os.path.exists(source):
+            message += "; a scene's text has a line break or a '{', and this has neither"
+        raise SceneError(message, diagnostics)
     for diagnostic in diagnostics:
         warnings.warn(str(diagnostic), SceneWarning, stacklevel=2)
     return Scene(core, name)

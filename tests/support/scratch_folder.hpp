@@ -26,6 +26,7 @@ public:
     [[nodiscard]] std::string operator/(const std::string& file) const {
         return (path_ / file).string();
     }
+    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
     /// Names of what is in it.
     [[nodiscard]] std::vector<std::string> files() const {
         std::vector<std::string> names;

@@ -1,0 +1,43 @@
+// `icespar format SCENE`: the same scene, evenly indented.
+#include "parser/format.hpp"
+
+#include <fstream>
+#include <iterator>
+
+#include "cli/commands.hpp"
+#include "image/checked_file.hpp"
+#include "image/image.hpp"
+#include "math/error.hpp"
+
+namespace icespar {
+
+int format_command(const std::filesystem::path& scene, bool in_place, std::ostream& out,
+                   std::ostream& messages) {
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(scene, ignored)) {
+        messages << scene.string() << ": error: there is no such file\n";
+        return exit_fault;
+    }
+    std::ifstream stream(scene, std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(stream),
+                           std::istreambuf_iterator<char>()};
+    std::string better;
+    try {
+        better = formatted(text);
+    } catch (const Error& error) {
+        messages << scene.string() << ':' << error.what() << '\n';
+        return exit_fault;
+    }
+    if (!in_place) {
+        out << better;
+    } else if (better != text) {
+        write_whole(scene.string(), [&](const std::string& partial) {
+            CheckedFile file(partial, scene.string());
+            file.write(better.data(), better.size());
+            file.close();
+        });
+    }
+    return exit_done;
+}
+
+}  // namespace icespar
