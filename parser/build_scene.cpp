@@ -264,6 +264,7 @@ void Builder::finish_stone(const Part& part, Solid& solid) {
     gem.name = sources_.file_and_line(part.where);
     gem_places_.push_back(part.where);
     scene_.gems.push_back(std::move(gem));
+    gem_places_.push_back(part.where);
 }
 
 }  // namespace icespar

@@ -199,6 +199,8 @@ private:
     Diagnostics& diagnostics_;
     Scene scene_;
     Place where_;
+    std::vector<Place> gem_places_;
+    std::optional<Place> camera_place_;
     Look defaults_;
     std::array<double, 3> ambient_light_{1, 1, 1};
     std::map<const Block*, std::shared_ptr<Solid>> solids_;
