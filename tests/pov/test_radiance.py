@@ -40,6 +40,7 @@ ROUNDING = 3e-4
 SCENES = {
     "furnace": (2e-3, ROUNDING),
     "lamps": (1e-3, ROUNDING),
+    "gradients": (2e-3, 1e-3),
     "cube_face_on": (ROUNDING, ROUNDING),
     "two_plates": (ROUNDING, ROUNDING),
     "slab_aslant": (plate_error(26, 1.5) + ROUNDING, 1e-3),
