@@ -6,7 +6,7 @@
 #include <numbers>
 #include <string>
 
-#include "parser/load.hpp"
+#include "designs/design.hpp"
 #include "render/render.hpp"
 
 using namespace icespar;
@@ -27,7 +27,7 @@ Vec3 turned(const Vec3& v, double angle) {
 Scene brilliant(const std::string& kind) {
     Scene scene;
     std::vector<FacetPlane> planes =
-        read_design(ICESPAR_SCENES_DIR "/designs/srb_tolkowsky_diamond.asc").planes;
+        read_design(ICESPAR_SCENES_DIR "/designs/srb_tolkowsky_diamond.asc").planes();
     for (FacetPlane& p : planes) p.normal = turned(p.normal, 12 * degree);
     const Vec3 axis = turned({0, 0, 1}, 12 * degree);
     Crystal crystal;

@@ -101,16 +101,6 @@ Scene Builder::build(const Block& block) {
     return std::move(scene_);
 }
 
-void Builder::report(const Scene& scene, const std::string& fault) {
-    for (std::size_t i = 0; i < scene.gems.size(); ++i) {
-        const std::string start = scene.gems[i].name + ": ";
-        if (fault.starts_with(start)) {
-            return diagnostics_.error(gem_places_[i], fault.substr(start.size()));
-        }
-    }
-    diagnostics_.error(camera_place_.value_or(Place{}), fault);
-}
-
 void Builder::global_settings(const Block& block) {
     for (Cursor cursor(block); cursor.more();) {
         const Item& item = cursor.take();
@@ -264,7 +254,6 @@ void Builder::finish_stone(const Part& part, Solid& solid) {
     gem.name = sources_.file_and_line(part.where);
     gem_places_.push_back(part.where);
     scene_.gems.push_back(std::move(gem));
-    gem_places_.push_back(part.where);
 }
 
 }  // namespace icespar

@@ -33,16 +33,16 @@ Ink Builder::ink(Cursor& cursor, std::string_view what) {
     return out;
 }
 
-std::optional<Spectrum> Builder::spectrum(Cursor& cursor) {
+std::optional<Spectrum> Builder::spectrum(Cursor& cursor, double least) {
     if (!cursor.more()) return std::nullopt;
     const Block* block = spectral_block(cursor.peek());
     if (!block) return std::nullopt;
     cursor.take();
     if (block->broken) throw Poisoned{block->place};
-    return read_spectrum(*block);
+    return read_spectrum(*block, least);
 }
 
-Spectrum Builder::read_spectrum(const Block& block) {
+Spectrum Builder::read_spectrum(const Block& block, double least) {
     Cursor cursor(block);
     try {
         if (block.word == "gaussian") {
@@ -62,12 +62,12 @@ Spectrum Builder::read_spectrum(const Block& block) {
         }
         if (cursor.next_is(Item::Kind::value) && cursor.peek().value.text()) {
             const std::string file = cursor.text("the name of a file");
-            return spectrum_file(file, cursor.place());
+            return spectrum_file(file, cursor.place(), least);
         }
         std::vector<double> nodes, values;
         while (cursor.more()) {
             nodes.push_back(cursor.number("a wavelength in nm", 1, 1e5));
-            values.push_back(cursor.number("the value at a wavelength", 0, 1e30));
+            values.push_back(cursor.number("the value at a wavelength", least, 1e30));
         }
         return {std::move(nodes), std::move(values)};
     } catch (const Error& error) {
@@ -77,7 +77,7 @@ Spectrum Builder::read_spectrum(const Block& block) {
 
 /// Lines of a wavelength in nm and a value, parted by comma, semicolon or space; lines that do not
 /// start with a number before the first that does are headings.
-Spectrum Builder::spectrum_file(const std::string& file, const Place& place) const {
+Spectrum Builder::spectrum_file(const std::string& file, const Place& place, double least) const {
     const auto text = Sources::read(file_named(file, place));
     if (!text) throw Fault{place, "'" + printable(file) + "' cannot be read", {}};
     std::vector<double> nodes, values;
@@ -97,10 +97,10 @@ Spectrum Builder::spectrum_file(const std::string& file, const Place& place) con
         p = first.ptr;
         skip(" \t,;");
         const auto second = fast_float::from_chars(p, last, value);
-        if (first.ec != std::errc() || second.ec != std::errc() || !(value >= 0)) {
+        if (first.ec != std::errc() || second.ec != std::errc() || !(value >= least)) {
             throw Fault{place,
                         "line " + std::to_string(line + 1) + " of '" + printable(file) +
-                            "' is not a wavelength in nm and a value of 0 or more",
+                            "' is not a wavelength in nm and a value",
                         {}};
         }
         nodes.push_back(nm);

@@ -160,10 +160,11 @@ private:
     // build_spectrum.cpp
     [[nodiscard]] Ink ink(Cursor& cursor, std::string_view what);
     [[nodiscard]] static bool next_is_ink(const Cursor& cursor);
-    /// The spectrum or gaussian that stands next, or nothing.
-    [[nodiscard]] std::optional<Spectrum> spectrum(Cursor& cursor);
-    [[nodiscard]] Spectrum read_spectrum(const Block& block);
-    [[nodiscard]] Spectrum spectrum_file(const std::string& file, const Place& place) const;
+    /// The spectrum or gaussian that stands next, or nothing; values are at least `least`.
+    [[nodiscard]] std::optional<Spectrum> spectrum(Cursor& cursor, double least = 0);
+    [[nodiscard]] Spectrum read_spectrum(const Block& block, double least);
+    [[nodiscard]] Spectrum spectrum_file(const std::string& file, const Place& place,
+                                         double least) const;
     /// A finish amends the one already there, or the default.
     FinishLook finish(const Block& block, const std::optional<FinishLook>& before);
     InteriorLook interior(const Block& block);
@@ -199,8 +200,6 @@ private:
     Diagnostics& diagnostics_;
     Scene scene_;
     Place where_;
-    std::vector<Place> gem_places_;
-    std::optional<Place> camera_place_;
     Look defaults_;
     std::array<double, 3> ambient_light_{1, 1, 1};
     std::map<const Block*, std::shared_ptr<Solid>> solids_;

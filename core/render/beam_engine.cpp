@@ -18,8 +18,18 @@ struct BeamScene::Stones {
     std::vector<FacetSearch> facets;
     std::vector<Footprint> footprints;
     std::vector<Visibility> visibility;
+    std::vector<bool> suited;
     bool sky_only = false;  ///< what leaves a stone meets nothing but an unpolarised sky
 };
+
+namespace {
+
+/// Beams know clear isotropic and uniaxial stones without activity.
+bool suited(const Crystal& c) {
+    return c.indices.size() < 3 && !c.absorbs() && !c.active();
+}
+
+}  // namespace
 
 BeamScene::BeamScene(const World& world, int width, int height)
     : world_(world), width_(width), height_(height), stones_(std::make_unique<Stones>()) {
@@ -28,6 +38,7 @@ BeamScene::BeamScene(const World& world, int width, int height)
         const Stone& stone = scene.gems[i].stone;
         stones_->facets.emplace_back(stone);
         stones_->footprints.emplace_back(stone, scene.camera, width, height);
+        stones_->suited.push_back(suited(scene.gems[i].crystal));
         stones_->visibility.emplace_back(world, static_cast<int>(i), width, height);
     }
     stones_->sky_only = scene.gems.size() == 1 && scene.things.empty() &&
@@ -41,11 +52,9 @@ std::string BeamScene::obstacle(const Scene& scene) {
     if (scene.gems.empty()) return "there is no stone in the scene";
     if (!scene.camera.is_simple()) return "the camera has a lens, a fisheye or an analyser";
     for (const Gem& gem : scene.gems) {
-        if (gem.crystal.indices.size() > 2) return "a stone is biaxial";
-        if (gem.crystal.active()) return "a stone turns polarised light";
-        if (gem.crystal.absorbs()) return "a stone absorbs light";
+        if (suited(gem.crystal)) return {};
     }
-    return {};
+    return "its stones absorb, turn polarisation or are biaxial";
 }
 
 bool BeamScene::tells_error() const {
@@ -56,7 +65,9 @@ int BeamScene::stone_at(int x, int y) const {
     int found = -1;
     for (std::size_t i = 0; i < stones_->footprints.size(); ++i) {
         if (!stones_->footprints[i].frame().holds(x, y)) continue;
-        if (found >= 0 || stones_->visibility[i].doubtful(x, y)) return by_rays;
+        if (found >= 0 || !stones_->suited[i] || stones_->visibility[i].doubtful(x, y)) {
+            return by_rays;
+        }
         found = static_cast<int>(i);
     }
     return found >= 0 ? found : stones_->sky_only ? sky : by_rays;
@@ -160,10 +171,13 @@ public:
         }
         flush(false);
         dispersive_ = true;
-        share_ = 1.0 / wavelengths_per_pass;
+        // Wavelengths average out what chance there is along each; more of them are needed first.
+        const int waves = std::max(least_wavelengths, samples);
+        threshold_ = 1 / std::max(8.0, std::sqrt(static_cast<double>(samples)));
+        share_ = 1.0 / waves;
         const double shift = sampler.uniform();
-        for (int w = 0; w < wavelengths_per_pass; ++w) {
-            sampler.at_wavelength((w + shift) / wavelengths_per_pass);
+        for (int w = 0; w < waves; ++w) {
+            sampler.at_wavelength((w + shift) / waves);
             roulette_.begin(mixed(seed + static_cast<unsigned>(w)), threshold_);
             trace_stone(crystal, sampler.wavelength_nm());
             flush(true);
@@ -201,7 +215,7 @@ public:
     }
 
 private:
-    static constexpr int wavelengths_per_pass = 8;
+    static constexpr int least_wavelengths = 8;
 
     [[nodiscard]] Point2 random_point(PolygonView polygon) {
         const double u = sampler_->uniform();

@@ -324,9 +324,10 @@ private:
 
     void see_environment(const Branch& b, Guide& guide) {
         const Environment& sky = world_.scene().environment;
-        const Stokes seen = seen_of(b, sky.state, sky.up);
+        const Stokes seen = seen_of(b, sky.state, {0, 1, 0});
         if (!sky.formulas.empty()) {
-            guide.see(palette_.illuminant, seen_of(b, formula_light(sky, b.ray), sky.up),
+            const Vec3 up = normalised(sky.to_own.inverse().vector({0, 1, 0}));
+            guide.see(palette_.illuminant, seen_of(b, formula_light(sky, b.ray), up),
                       b.one_wavelength);
         } else if (sky.pattern) {
             const Mix mix = mix_at(*sky.pattern, b.ray, b.ray);

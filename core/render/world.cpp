@@ -130,8 +130,7 @@ World::World(const Scene& scene, bool use_tree) : scene_(scene) {
         bounds.push_back({centre - reach, centre + reach});
         bounds_.push_back(bounds.back());
     }
-    if (use_tree && !bounds_.empty()) {
-        std::vector<Bounds> bounds = bounds_;
+    if (use_tree && !bounds.empty()) {
         double far = 0;
         for (const Bounds& b : bounds) far = std::max({far, length(b.low), length(b.high)});
         const Vec3 slack = float_slack * far * Vec3{1, 1, 1};

@@ -111,7 +111,7 @@ struct Environment {
     /// own, left-handed as scenes are; take the place of all but discs.
     std::vector<Formula> formulas{};
     Transform to_own{};
-    /// Polarisation for one who looks at the source, x right, y (towards `up`) up; s0 = 1.
+    /// Polarisation for one who looks at the source, x right, y (world up) up; s0 = 1.
     Stokes state{1, 0, 0, 0};
 };
 
@@ -142,7 +142,7 @@ struct SceneFault {
 /// The same for its camera, which must not stand inside a gem.
 [[nodiscard]] std::vector<std::string> camera_faults(const Scene& scene);
 
-/// The Stokes vector that the formulas give for a direction, in the frame of `state`, times the
+/// The Stokes vector that the formulas give for a direction, y up in their own space, times the
 /// illuminant. What a formula leaves undefined or negative is dark.
 [[nodiscard]] Stokes formula_light(const Environment& environment, const Vec3& direction);
 

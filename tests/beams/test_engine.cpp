@@ -154,3 +154,48 @@ TEST_CASE("any number of threads makes the same picture by beams, bit for bit", 
         CHECK(render(scene, options).image.rgb == one);
     }
 }
+
+TEST_CASE("the error that one pass of beams tells of itself is the error it has",
+          "[beams][statistics]") {
+    const Scene scene = lit(picture_scene(zircon(normalised({2, 1, 1})), slope({1, 2, 0})));
+    RenderOptions options = small(24, 4096);
+    options.engine = Engine::beams;
+    const auto reference = render(scene, options).image.rgb;
+    for (const int samples : {8, 32}) {
+        options.samples = samples;
+        const Rendering r = render(scene, options);
+        double square = 0, mean = 0;
+        for (std::size_t i = 0; i < reference.size(); i += 3) {
+            const auto y = [&](const std::vector<float>& v) {
+                return xyz_from_rgb({v[i], v[i + 1], v[i + 2]})[1];
+            };
+            square += std::pow(y(r.image.rgb) - y(reference), 2);
+            mean += y(reference);
+        }
+        const double pixels = static_cast<double>(reference.size()) / 3;
+        const double error = std::sqrt(square / pixels) / (mean / pixels);
+        CAPTURE(samples, error, r.report.error);
+        CHECK(r.report.error > 0.7 * error);
+        CHECK(r.report.error < 1.5 * error);
+    }
+}
+
+TEST_CASE("beams go on until the error that was asked for is reached", "[beams][bounds]") {
+    const Scene scene = lit(picture_scene(glass(2.417), slope({1, 2, 0})));
+    RenderOptions options = small(24, 0);
+    options.engine = Engine::beams;
+    options.error = 0.02;
+    const Rendering r = render(scene, options);
+    CHECK(r.report.error <= 0.02);
+    CHECK(r.report.error > 0.002);
+}
+
+TEST_CASE("the engine beams is refused where there is no stone", "[beams][bounds]") {
+    Scene scene;
+    scene.environment = furnace();
+    RenderOptions options = small(4, 1);
+    options.engine = Engine::beams;
+    CHECK_THROWS_WITH(render(scene, options), Catch::Matchers::Contains("no stone"));
+    options.engine = Engine::automatic;
+    CHECK(render(scene, options).report.engine == Engine::rays);
+}

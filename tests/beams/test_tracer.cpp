@@ -25,6 +25,8 @@ struct Recorder {
     double gain(double, int) const { return 1; }
     bool may_meet(int hits) const { return hits < depth; }
     void lose(double weight) { lost += weight; }
+    void open() {}
+    void close(int) {}
     void see(const Leaf<Response>& leaf) {
         ++leaves;
         const Stokes s = leaf.area * leaf.response.unpolarised();
