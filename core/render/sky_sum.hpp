@@ -28,12 +28,14 @@ public:
     void flush(const Palette& palette, double share, bool one_wavelength, Sampler& sampler);
 
 private:
-    [[nodiscard]] double part_within(const Affine& inside, PolygonView polygon, double area);
+    /// Area of the part of a polygon whose directions lie in a disc. `halvings` of the polygon are
+    /// left, for a lamp's edge to be straight within each piece.
+    [[nodiscard]] double within(const Disc& disc, const Expansion& k, PolygonView polygon,
+                                double area, int halvings) const;
 
     const Environment& sky_;
     Stokes below_, above_;
     std::vector<Stokes> discs_;
-    Polygon within_;
 };
 
 }  // namespace icespar
