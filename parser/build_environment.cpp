@@ -56,7 +56,7 @@ void Builder::environment(const Block& block) {
     out = {};
     Transform place;
     Look none;
-    bool shines = false;
+    bool shines = false, lamps_seen = false;
     std::optional<Ink> value;
     std::string_view name;
     Place value_place = block.place;
@@ -98,7 +98,7 @@ void Builder::environment(const Block& block) {
         } else if (item.word == "lamps" && item.kind == Item::Kind::block) {
             cursor.take();
             lamps(*item.block);
-            shines = true;
+            lamps_seen = true;
         } else if (item.word == "polarised" && item.kind == Item::Kind::block) {
             cursor.take();
             polarised(*item.block);
@@ -124,7 +124,7 @@ void Builder::environment(const Block& block) {
         const bool scope = name == "aset" || name == "idealscope";
         named_sky(name, head.value_or(scope ? 15 : 0));
     }
-    if (!shines && !value && !block.broken) {
+    if (!shines && !lamps_seen && !value && !block.broken) {
         throw Fault{block.place, "this environment has no light",
                     "write environment { uniform 1 }"};
     }
@@ -166,7 +166,6 @@ void Builder::place_sky(const Transform& place, const std::optional<Ink>& value,
         out.below = out.below * value->spectrum;
         out.above = out.above * value->spectrum;
     }
-    for (Disc& disc : out.discs) disc.radiance = disc.radiance * value->spectrum;
 }
 
 void Builder::polarised(const Block& block) {

@@ -100,9 +100,16 @@ std::string Parser::shown(const Token& token) const {
 void Parser::skip_line(const Token& from) {
     const std::string& text = sources_.file(frame().file->file).text;
     const std::size_t line_end = std::min(text.find('\n', from.begin), text.size());
-    while (frame().at < frame().end && raw().begin < line_end && raw().kind != '}' &&
-           raw().kind != tok::directive) {
-        ++frame().at;
+    const auto scene_words = *words_in("scene");
+    for (int depth = 0; frame().at < frame().end && raw().begin < line_end; ++frame().at) {
+        const char kind = raw().kind;
+        if (kind == tok::directive || (kind == '}' && depth == 0)) break;
+        const bool new_block = kind == tok::word && raw(1).kind == '{' && depth == 0 &&
+                               std::find(scene_words.begin(), scene_words.end(),
+                                         names_[raw().index].text) != scene_words.end();
+        if (new_block) break;
+        if (kind == '{') ++depth;
+        if (kind == '}') --depth;
     }
 }
 

@@ -151,6 +151,9 @@ private:
             incident.mode = b.gem >= 0 && from.birefringent ? b.mode : Mode::s;
             incident.k = complexified(b.k);
             incident.E = complexified(b.basis[0]);
+            // The general solver takes the field as that of the mode named.
+            if (!to.plain())
+                incident = plane_wave(from, Mode::s, normalised(b.k), By::wave_normal, normal);
         } else {
             incident = wave_of(b, from);
         }

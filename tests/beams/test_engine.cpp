@@ -105,6 +105,7 @@ TEST_CASE("beams that leave a stone go on as rays to what stands around", "[beam
     // The plane y = 0 turned to z = -1.2.
     floor.to_world = {{Vec3{1, 0, 0}, Vec3{0, 0, -1}, Vec3{0, 1, 0}}, {0, 0, -1.2}};
     floor.pigment.kind = Pigment::Kind::checker;
+    floor.pigment.colours = {Spectrum(1.0), Spectrum(0.0)};
     floor.pigment.to_pattern = Transform::scaling({2, 2, 2});
     floor.finish = {0.5, 0.5};
     scene.things.push_back(floor);

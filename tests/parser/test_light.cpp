@@ -215,6 +215,6 @@ TEST_CASE("what is wrong between things is told at the stone, with a caret", "[p
     const std::string gem = "gem { box { -1, 1 } interior { ior 1.5 } }\n";
     CHECK(faulty(gem + gem, "test.spar:1:1: error: this stone overlaps the one at test.spar:2"));
     CHECK(faulty("camera { location 0 look_at z }\n" + gem,
-                 "test.spar:2:1: error: the camera is inside this stone"));
+                 "test.spar:1:1: error: the camera is inside the stone at test.spar:2"));
     CHECK(faulty("sphere { 0, 1 pigment { Wheat } }", "it stands in #include \"colors.inc\""));
 }

@@ -79,11 +79,12 @@ TEST_CASE("triangles one by one, and by number, are the same mesh", "[parser][me
 
 TEST_CASE("a transparent closed convex mesh is a gem, as POV-Ray's gem files have it",
           "[parser][mesh]") {
-    for (const std::string& text : std::initializer_list<std::string>
-         {"mesh2 { " + tetrahedron + "pigment { rgbt 1 } interior { ior 1.5 } }",
-          "gem { mesh2 { " + tetrahedron + "} interior { ior 1.5 } }",
-          "#declare M = mesh2 { " + tetrahedron +
-              "} object { M material { texture { pigment { rgbf 1 } } interior { ior 1.5 } } }"}) {
+    for (const std::string& text : std::initializer_list<std::string>{
+             "mesh2 { " + tetrahedron + "pigment { rgbt 1 } interior { ior 1.5 } }",
+             "gem { mesh2 { " + tetrahedron + "} interior { ior 1.5 } }",
+             "#declare M = mesh2 { " + tetrahedron +
+                 "} object { M material { texture { pigment { rgbf 1 } } interior { ior 1.5 } } "
+                 "}"}) {
         const Scene scene = scene_of(text);
         REQUIRE(scene.gems.size() == 1);
         CHECK(scene.gems[0].stone.facets.size() == 4);
@@ -102,12 +103,14 @@ TEST_CASE("published mesh designs load unchanged, with the facets and volume of 
         WARN("not run: the published designs are not in this copy");
         return;
     }
+    // Counted and summed over the files' triangles by themselves; pc01043 is nine tenths of its
+    // .asc.
     struct Row {
         std::string file;
         std::size_t facets;
         double volume;
     };
-    for (const Row& row : {Row{"pc01043.inc", 65, 1.79329}, Row{"pc45149.inc", 49, 0}}) {
+    for (const Row& row : {Row{"pc01043.inc", 65, 1.3073076}, Row{"pc45149.inc", 48, 1.4801980}}) {
         LoadOptions options;
         options.allow = {folder};
         const Scene scene = scene_of("#include \"" + row.file +
@@ -117,7 +120,7 @@ TEST_CASE("published mesh designs load unchanged, with the facets and volume of 
         REQUIRE(scene.gems.size() == 1);
         CAPTURE(row.file);
         CHECK(scene.gems[0].stone.facets.size() == row.facets);
-        if (row.volume > 0) CHECK_THAT(scene.gems[0].stone.volume, WithinRel(row.volume, 1e-5));
+        CHECK_THAT(scene.gems[0].stone.volume, WithinRel(row.volume, 1e-5));
     }
 }
 

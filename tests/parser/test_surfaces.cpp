@@ -131,7 +131,8 @@ TEST_CASE("a spectrum stands wherever a colour may", "[parser][spectrum]") {
                                         "test.spar", folder / "")),
                Contains("line 2 of 'bad.csv'"));
     CHECK(faulty("sphere { 0, 1 pigment { spectrum { 500, 1, 400, 2 } } }", "do not rise"));
-    CHECK(faulty("sphere { 0, 1 pigment { spectrum { 500 } } }", "needs the value at a wavelength"));
+    CHECK(
+        faulty("sphere { 0, 1 pigment { spectrum { 500 } } }", "needs the value at a wavelength"));
 }
 
 TEST_CASE("coloured ambient light tints the pigment", "[parser][surface]") {
