@@ -87,7 +87,6 @@ std::string report_line(const RenderReport& report) {
     if (report.error > 0) line += format(", error %.2g", report.error);
     line += report.engine == Engine::beams ? ", by beams" : ", by rays";
     if (report.absorbed > 0) line += format(", absorbed energy %.2g", report.absorbed);
-    line += report.engine == Engine::beams ? ", by beams" : ", by rays";
     return line + format(", dropped energy %.2g", report.dropped) + ", " +
            std::to_string(report.bad_samples) + " bad samples";
 }
