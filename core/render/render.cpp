@@ -7,10 +7,12 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <optional>
 #include <sstream>
+#include <thread>
 
 #include "math/error.hpp"
 #include "render/beam_engine.hpp"
@@ -71,7 +73,7 @@ int next_beam_pass(const RenderOptions& o, int done, int wanted, double error, b
     if (wanted > 0) return wanted;
     double factor = 2;
     if (o.error > 0 && error > 0) factor = 1.1 * std::pow(error / o.error, 1 / slope);
-    constexpr double most = 1 << 28;
+    constexpr double most = 1 << 16;  // so that no pixel takes long
     return static_cast<int>(
         std::min(most, done * std::clamp(factor, 1.0, o.seconds > 0 ? 2.0 : 16.0)));
 }
@@ -111,11 +113,27 @@ Rendering render(const Scene& scene, const RenderOptions& options,
     std::vector<double> dropped(static_cast<std::size_t>(tiles), 0.0), absorbed = dropped;
     std::vector<std::uint64_t> paths(static_cast<std::size_t>(tiles), 0);
 
+    RenderReport report;
+    Progress state;
+    // Pixels may take long: bounds and interruption are looked at between them, by this thread.
+    std::atomic<bool> stop{false};
+    const auto own_thread = std::this_thread::get_id();
+    double looked = 0;
+    const auto look = [&] {
+        if (std::this_thread::get_id() != own_thread || seconds() - looked < 0.1) return;
+        looked = state.seconds = seconds();
+        if (progress && !progress(state)) report.interrupted = true;
+        const bool late = options.seconds > 0 && looked >= options.seconds && report.samples > 0;
+        if (report.interrupted || late) stop = true;
+    };
+
     const auto render_tile = [&](int index, int first_sample, int count) {
         Worker& w = workers.local();
         const int x0 = index % across * tile, y0 = index / across * tile;
         for (int y = y0; y < std::min(y0 + tile, options.height); ++y) {
             for (int x = x0; x < std::min(x0 + tile, options.width); ++x) {
+                look();
+                if (stop) return;
                 const std::uint64_t pixel =
                     mixed(mixed(options.seed) + static_cast<std::uint64_t>(y) * 65536u +
                           static_cast<std::uint64_t>(x));
@@ -152,8 +170,6 @@ Rendering render(const Scene& scene, const RenderOptions& options,
         }
     };
 
-    RenderReport report;
-    Progress state;
     // Tiles go out in batches so that the caller hears from us a few times a second.
     int batch = 4 * arena.max_concurrency();
     bool enough = false;
@@ -163,7 +179,7 @@ Rendering render(const Scene& scene, const RenderOptions& options,
                           : next_ray_pass(options, report.samples);
         if (samples > 0) count = std::min(count, samples - report.samples);
         int end = 0;
-        for (int begin = 0; begin < tiles && !report.interrupted; begin = end) {
+        for (int begin = 0; begin < tiles && !stop; begin = end) {
             end = std::min(begin + batch, tiles);
             const double before = seconds();
             arena.execute([&] {
@@ -183,15 +199,16 @@ Rendering render(const Scene& scene, const RenderOptions& options,
                                           passes / std::max(1, report.samples));
             }
             state.done = std::min(1.0, done);
-            if (progress && !progress(state)) report.interrupted = true;
+            if (progress && !progress(state)) stop = report.interrupted = true;
             if (options.seconds > 0 && state.seconds >= options.seconds && report.samples > 0)
                 break;
             if (took < 0.1) batch = std::min(2 * batch, tiles);
         }
-        if (end == tiles) report.samples += count;
+        if (end == tiles && !stop) report.samples += count;
         report.error = state.error = film.error();
         state.samples = report.samples;
-        enough = (samples > 0 && report.samples >= samples) ||
+        constexpr int most_samples = 1 << 30;
+        enough = (samples > 0 && report.samples >= samples) || report.samples >= most_samples ||
                  (options.seconds > 0 && seconds() >= options.seconds) ||
                  (options.error > 0 && report.error <= options.error &&
                   report.samples >= 2 * samples_per_pass);
