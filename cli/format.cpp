@@ -5,7 +5,6 @@
 #include <iterator>
 
 #include "cli/commands.hpp"
-#include "image/checked_file.hpp"
 #include "image/image.hpp"
 #include "math/error.hpp"
 
@@ -31,11 +30,7 @@ int format_command(const std::filesystem::path& scene, bool in_place, std::ostre
     if (!in_place) {
         out << better;
     } else if (better != text) {
-        write_whole(scene.string(), [&](const std::string& partial) {
-            CheckedFile file(partial, scene.string());
-            file.write(better.data(), better.size());
-            file.close();
-        });
+        write_whole(scene.string(), better);
     }
     return exit_done;
 }

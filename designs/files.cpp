@@ -5,8 +5,6 @@
 #include <iterator>
 
 #include "designs/design.hpp"
-#include "designs/solved.hpp"
-#include "image/checked_file.hpp"
 #include "image/image.hpp"
 #include "math/error.hpp"
 
@@ -80,11 +78,7 @@ std::vector<std::string> write_design(const Design& design, const std::filesyste
                     ": a design is written as .asc, .gem or .gcs, its stone as .stl or .obj: "
                     "choose one of these endings");
     }
-    write_whole(file.string(), [&](const std::string& path) {
-        CheckedFile out(path, file.string());
-        out.write(bytes.data(), bytes.size());
-        out.close();
-    });
+    write_whole(file.string(), bytes);
     return lost;
 }
 

@@ -92,7 +92,7 @@ View read(const Block& block) {
                    (*item.value.block())->word == "camera") {
             view = read(**item.value.block());
         } else if (item.kind == Item::Kind::value && !item.value.empty()) {
-            throw Fault{item.place, "unexpected " + kind_of(item.value) + " in 'camera'", {}};
+            throw unexpected(item, "camera");
         } else if (item.word.empty()) {
             cursor.skip_values();
         }

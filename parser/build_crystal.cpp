@@ -192,12 +192,8 @@ void Builder::crystal_item(Cursor& cursor, InteriorLook& look, CrystalWords& wor
                (*item.value.block())->word == "crystal") {
         this->crystal(**item.value.block(), look);
     } else {
-        throw Fault{item.place,
-                    "unexpected " +
-                        (item.kind == Item::Kind::value ? kind_of(item.value)
-                                                        : "'" + std::string(item.word) + "'") +
-                        " in 'crystal'",
-                    item.word == "dispersion" ? "write dispersion { bg 0.02 }" : ""};
+        throw unexpected(item, "crystal",
+                         item.word == "dispersion" ? "write dispersion { bg 0.02 }" : "");
     }
 }
 

@@ -107,12 +107,7 @@ void Builder::environment(const Block& block) {
             value_place = cursor.place();
         } else if (!modifier(cursor, none, place)) {
             if (excused(block)) throw Poisoned{item.place};
-            throw Fault{item.place,
-                        "unexpected " +
-                            (item.kind == Item::Kind::value ? kind_of(item.value)
-                                                            : "'" + std::string(item.word) + "'") +
-                            " in 'environment'",
-                        {}};
+            throw unexpected(item, "environment");
         } else if (item.kind == Item::Kind::word && item.word.empty()) {
             shines = true;
         }

@@ -69,7 +69,7 @@ InteriorLook Builder::interior(const Block& block) {
             } else if (declared && (*declared)->word == "crystal") {
                 crystal(**declared, look);
             } else {
-                throw Fault{item.place, "unexpected " + kind_of(item.value) + " in 'interior'", {}};
+                throw unexpected(item, "interior");
             }
         } else if (item.word.empty()) {
             cursor.skip_values();

@@ -61,7 +61,7 @@ Part Builder::lamp(const Block& block) {
             source = illuminant_named(cursor, word);
         } else if (!modifier(cursor, none, part.place)) {
             if (excused(block)) throw Poisoned{item.place};
-            throw Fault{item.place, "unexpected " + kind_of(item.value) + " in 'light_source'", {}};
+            throw unexpected(item, "light_source");
         }
     }
     if (!placed && excused(block)) throw Poisoned{block.place};

@@ -148,12 +148,7 @@ Part Builder::primitive(const Block& block) {
         }
         if (part.solid) continue;  // of a mesh: read above
         if (excused(block)) throw Poisoned{item.place};
-        throw Fault{item.place,
-                    "unexpected " +
-                        (item.kind == Item::Kind::value ? kind_of(item.value)
-                                                        : "'" + std::string(item.word) + "'") +
-                        " in '" + std::string(block.word) + "'",
-                    {}};
+        throw unexpected(item, block.word);
     }
     part.place = part.place.then(place);
     if (part.look.interior) part.look.interior->turn(place);

@@ -122,8 +122,7 @@ void Builder::global_settings(const Block& block) {
                 (void)cursor.number("a length in millimetres", 1e-9, 1e9);
             }
         } else if (item.kind == Item::Kind::value && !item.value.empty()) {
-            throw Fault{
-                item.place, "unexpected " + kind_of(item.value) + " in 'global_settings'", {}};
+            throw unexpected(item, "global_settings");
         } else if (item.word.empty()) {
             cursor.skip_values();
         }

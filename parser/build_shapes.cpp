@@ -218,12 +218,7 @@ void Builder::cut(const Block& block, Solid& solid) {
         } else if (item.word.empty() && item.kind == Item::Kind::word) {
             cursor.skip_values();
         } else {
-            throw Fault{item.place,
-                        "unexpected " +
-                            (item.kind == Item::Kind::value ? kind_of(item.value)
-                                                            : "'" + std::string(item.word) + "'") +
-                            " in 'cut'",
-                        {}};
+            throw unexpected(item, "cut");
         }
     }
     if (facets == 0) throw Fault{block.place, "this cut has no facets", {}};
@@ -270,12 +265,7 @@ void Builder::facet(const Block& block, double gear, double offset, Solid& solid
             solid.at_fault = true;
             return;
         } else {
-            throw Fault{item.place,
-                        "unexpected " +
-                            (item.kind == Item::Kind::value ? kind_of(item.value)
-                                                            : "'" + std::string(item.word) + "'") +
-                            " in 'facet'",
-                        {}};
+            throw unexpected(item, "facet");
         }
     }
     if (!angle || !distance) {

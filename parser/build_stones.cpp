@@ -58,7 +58,7 @@ Part Builder::gem(const Block& block) {
         } else if (item.kind == Item::Kind::word) {
             throw Fault{item.place, "'" + std::string(item.word) + "' needs '{' after it", {}};
         } else {
-            throw Fault{item.place, "unexpected " + kind_of(item.value) + " in 'gem'", {}};
+            throw unexpected(item, "gem");
         }
     }
     if (!shaped && excused(block)) throw Poisoned{block.place};

@@ -11,9 +11,7 @@ Look Builder::texture(const Block& block) {
     for (Cursor cursor(block); cursor.more();) {
         if (modifier(cursor, look, place)) continue;
         const Item& item = cursor.take();
-        throw Fault{item.place,
-                    "unexpected " + kind_of(item.value) + " in '" + std::string(block.word) + "'",
-                    {}};
+        throw unexpected(item, block.word);
     }
     return look;
 }
@@ -53,7 +51,7 @@ FinishLook Builder::finish(const Block& block, const std::optional<FinishLook>& 
             if (item.value.empty()) continue;
             const BlockPtr* declared = item.value.block();
             if (!declared || (*declared)->word != "finish") {
-                throw Fault{item.place, "unexpected " + kind_of(item.value) + " in 'finish'", {}};
+                throw unexpected(item, "finish");
             }
             finish = this->finish(**declared, finish);
         } else if (item.word.empty()) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 namespace icespar {
 namespace {
@@ -22,6 +23,12 @@ bool has_gaps(const Block& block) {
                if (i.kind == Item::Kind::value) return i.value.empty();
                return i.block && i.block->broken;
            });
+}
+
+Fault unexpected(const Item& item, std::string_view block, std::string hint) {
+    const std::string what =
+        item.kind == Item::Kind::word ? "'" + std::string(item.word) + "'" : kind_of(item.value);
+    return {item.place, "unexpected " + what + " in '" + std::string(block) + "'", std::move(hint)};
 }
 
 bool Cursor::next_is_number() const {

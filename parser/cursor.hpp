@@ -18,6 +18,9 @@ struct Poisoned {
     Place place;
 };
 
+/// The fault that an item does not belong in this kind of block.
+[[nodiscard]] Fault unexpected(const Item& item, std::string_view block, std::string hint = {});
+
 /// Values are read with a word for what they are ("a radius"), which the message shows.
 class Cursor {
 public:

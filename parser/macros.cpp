@@ -7,18 +7,18 @@
 
 namespace icespar {
 
+Token Parser::take_raw(char kind, std::string_view what) {
+    const Token token = raw();
+    if (token.kind != kind) {
+        throw Fault{place(token), "expected " + std::string(what) + ", found " + shown(token), {}};
+    }
+    ++frame().at;
+    return token;
+}
+
 void Parser::define_macro(const Token& directive) {
-    const auto take = [this](char kind, std::string_view what) {
-        const Token token = raw();
-        if (token.kind != kind) {
-            throw Fault{
-                place(token), "expected " + std::string(what) + ", found " + shown(token), {}};
-        }
-        ++frame().at;
-        return token;
-    };
     const auto take_name = [&](std::string_view what) {
-        const Token token = take(tok::word, what);
+        const Token token = take_raw(tok::word, what);
         if (!names_[token.index].info.may_be_declared) {
             throw Fault{place(token),
                         shown(token) + " is a word of the language and cannot be declared",
@@ -30,7 +30,7 @@ void Parser::define_macro(const Token& directive) {
     std::uint32_t name = 0;
     try {
         name = take_name("the macro's name");
-        take('(', "'(' and the macro's parameters");
+        take_raw('(', "'(' and the macro's parameters");
         if (raw().kind != ')') {
             macro->parameters.push_back(take_name("a parameter's name"));
             while (raw().kind == ',') {
@@ -38,7 +38,7 @@ void Parser::define_macro(const Token& directive) {
                 macro->parameters.push_back(take_name("a parameter's name"));
             }
         }
-        take(')', "',' or ')'");
+        take_raw(')', "',' or ')'");
     } catch (const Fault& fault) {
         // The body must not be read as if it stood here.
         diagnostics_.error(fault);
@@ -57,14 +57,8 @@ void Parser::define_macro(const Token& directive) {
 /// their own.
 std::shared_ptr<const Parser::Macro> Parser::function_macro() {
     const auto take = [this](char kind, std::string_view what) {
-        const Token token = raw();
-        if (token.kind != kind) {
-            throw Fault{
-                place(token), "expected " + std::string(what) + ", found " + shown(token), {}};
-        }
-        ++frame().at;
         count_token();
-        return token;
+        return take_raw(kind, what);
     };
     const auto macro = std::make_shared<Macro>();
     std::unordered_map<std::uint32_t, std::uint32_t> own_names;

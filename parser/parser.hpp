@@ -109,6 +109,7 @@ private:
     /// Moves past raw tokens to the one of these directives that belongs to the open condition.
     std::string_view skip_to(std::initializer_list<std::string_view> directives,
                              const Token& opened);
+    Token take_raw(char kind, std::string_view what);
     void define_macro(const Token& directive);
     [[nodiscard]] std::shared_ptr<const Macro> function_macro();
     void call_macro(std::shared_ptr<const Macro> macro);

@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace icespar {
@@ -39,5 +40,7 @@ void write_png(const Image& image, const std::string& path);
 /// temporary file is removed and `path` is untouched. A device or pipe is written to directly. Throws
 /// Error when the folder is missing or `path` may not be written.
 void write_whole(const std::string& path, const std::function<void(const std::string&)>& write);
+/// The same for bytes that are there already.
+void write_whole(const std::string& path, std::string_view bytes);
 
 }  // namespace icespar

@@ -64,4 +64,12 @@ void write_whole(const std::string& path, const std::function<void(const std::st
     }
 }
 
+void write_whole(const std::string& path, std::string_view bytes) {
+    write_whole(path, [&](const std::string& partial) {
+        CheckedFile file(partial, path);
+        file.write(bytes.data(), bytes.size());
+        file.close();
+    });
+}
+
 }  // namespace icespar

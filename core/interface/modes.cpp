@@ -53,6 +53,19 @@ std::array<Wave, 2> waves_of_normal_in(const Medium& medium, const Vec3& directi
     return out;
 }
 
+/// A wave of a transparent medium, by its wave vector, unit E and ray.
+Wave real_wave(Mode mode, const Vec3& k, const Vec3& E, const Vec3& ray) {
+    Wave w;
+    w.mode = mode;
+    w.k = complexified(k);
+    w.E = complexified(E);
+    w.H = complexified(cross(k, E));
+    w.ray = ray;
+    w.n_phase = length(k);
+    w.n_ray = dot(k, ray);
+    return w;
+}
+
 bool transparent_biaxial(const Medium& m) {
     return m.symmetry == Symmetry::biaxial && !m.absorbing && !m.active();
 }
@@ -84,16 +97,8 @@ struct NormalEllipse {
     [[nodiscard]] Wave wave(std::size_t i) const {
         const auto& v = sections.vector[i];
         const Vec3 k = std::sqrt(det / (base + sections.value[i])) * direction,
-                   E = normalised(v[0] * ex + v[1] * ey), H = cross(k, E);
-        Wave w;
-        w.mode = i == 0 ? Mode::fast : Mode::slow;
-        w.k = complexified(k);
-        w.E = complexified(E);
-        w.H = complexified(H);
-        w.ray = normalised(cross(E, H));
-        w.n_phase = length(k);
-        w.n_ray = dot(k, w.ray);
-        return w;
+                   E = normalised(v[0] * ex + v[1] * ey);
+        return real_wave(i == 0 ? Mode::fast : Mode::slow, k, E, normalised(cross(E, cross(k, E))));
     }
 };
 
@@ -145,9 +150,7 @@ Wave plane_wave(const Medium& medium, Mode mode, const Vec3& direction, By by, c
     }
     const double eps_o = medium.n_o * medium.n_o, eps_e = medium.n_e * medium.n_e;
     const CrystalFrame crystal(medium.axis);
-    Wave wave;
-    wave.mode = mode;
-    Vec3 k, E;
+    Vec3 k, E, ray = direction;
     if (mode == Mode::extraordinary) {
         // Ray direction ~ eps k, so k ~ eps^-1 ray; k . eps k = n_o^2 n_e^2 sets the length.
         const Vec3 d = by == By::wave_normal
@@ -159,13 +162,9 @@ Wave plane_wave(const Medium& medium, Mode mode, const Vec3& direction, By by, c
             medium.n_o * medium.n_e / std::sqrt(eps_o * (x * x + y * y) + eps_e * z * z);
         k = scale * d;
         E = normalised(crystal.extraordinary(scale * x, scale * y, scale * z, eps_o, eps_e));
-        wave.ray =
-            by == By::ray
-                ? direction
-                : normalised(eps_o * k + ((eps_e - eps_o) * dot(k, medium.axis)) * medium.axis);
+        if (by == By::wave_normal) ray = extraordinary_ray(medium, k);
     } else {
         k = medium.n_o * direction;
-        wave.ray = direction;
         if (mode == Mode::ordinary) {
             E = crystal.ordinary(dot(direction, crystal.a), dot(direction, crystal.b));
         } else {
@@ -173,12 +172,7 @@ Wave plane_wave(const Medium& medium, Mode mode, const Vec3& direction, By by, c
             E = mode == Mode::s ? face.y : cross(direction, face.y);
         }
     }
-    wave.k = complexified(k);
-    wave.E = complexified(E);
-    wave.H = complexified(cross(k, E));
-    wave.n_phase = length(k);
-    wave.n_ray = dot(k, wave.ray);
-    return wave;
+    return real_wave(mode, k, E, ray);
 }
 
 }  // namespace icespar
