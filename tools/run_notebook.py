@@ -47,6 +47,7 @@ def run_cell(source: str, names: dict, place: str) -> list[dict]:
 def run(notebook: dict, name: str) -> dict:
     """The notebook with fresh outputs; raises what a cell raises."""
     names = {"__name__": "__main__"}
+    plt.close("all")  # figures that the caller left open are none of a cell's
     count = 0
     for cell in notebook["cells"]:
         if cell["cell_type"] == "code":
