@@ -1,5 +1,6 @@
 """The program: exit codes, what it says where, and that a wrong call touches no file."""
 
+import contextlib
 import os
 import pty
 import signal
@@ -95,6 +96,16 @@ def test_check_says_what_a_good_scene_holds(run):
     assert done.returncode == 0 and "1 gem" in done.stdout and done.stderr == ""
 
 
+@contextlib.contextmanager
+def ending(process):
+    """No render outlives its test."""
+    try:
+        yield
+    finally:
+        process.kill()
+        process.wait()
+
+
 @pytest.mark.parametrize("which", [signal.SIGINT, signal.SIGTERM])
 def test_ctrl_c_saves_what_is_there_and_is_code_3(run, program, tmp_path, which):
     process = subprocess.Popen(
@@ -103,10 +114,11 @@ def test_ctrl_c_saves_what_is_there_and_is_code_3(run, program, tmp_path, which)
         stderr=subprocess.PIPE,
         text=True,
     )
-    assert "64x48" in process.stderr.readline()
-    time.sleep(1)
-    process.send_signal(which)
-    _, rest = process.communicate(timeout=20)
+    with ending(process):
+        assert "64x48" in process.stderr.readline()
+        time.sleep(1)
+        process.send_signal(which)
+        _, rest = process.communicate(timeout=20)
     assert process.returncode == 3
     assert "interrupted" in rest
     assert [p.name for p in tmp_path.glob("a*")] == ["a.exr"]
@@ -117,7 +129,8 @@ def test_a_bar_is_drawn_on_a_terminal_and_wiped(run, program, tmp_path):
     process = subprocess.Popen(
         [program, "render", "box.spar", "-o", "a.exr", "--time", "1", "--size", "64x48"], cwd=tmp_path, stderr=theirs
     )
-    process.wait(timeout=30)
+    with ending(process):
+        process.wait(timeout=30)
     os.close(theirs)
     text = os.read(ours, 1 << 16).decode()
     os.close(ours)

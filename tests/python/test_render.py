@@ -100,7 +100,7 @@ def test_a_function_follows_the_render_and_may_end_it(calcite_box):
         seen.append((progress.done, progress.seconds, progress.samples, progress.error))
         return len(seen) < 3
 
-    image = calcite_box.render(size=(64, 48), spp=100000, progress=follow)
+    image = calcite_box.render(size=(64, 48), spp=100000, engine="rays", progress=follow)
     assert len(seen) >= 3 and image.report.interrupted
     assert all(0 <= done <= 1 for done, *_ in seen)
 
