@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <random>
+#include <regex>
 
 #include "designs/design.hpp"
 #include "math/error.hpp"
@@ -168,6 +169,14 @@ TEST_CASE("the index angles of Gem Cut Studio run against one another on crown a
     const double s = std::sqrt(0.5);
     CHECK(length(facet(135, 45) - Vec3{0.5, 0.5, -s}) < 1e-12);
     CHECK(length(facet(45, 45) - Vec3{-0.5, 0.5, s}) < 1e-12);
+    // What is written says the same by normals and by index angles; a table's has no meaning.
+    const std::string whole = gcs_text(sample());
+    const std::string bare =
+        std::regex_replace(whole, std::regex(R"( n[xyz]="[^"]*")"), std::string());
+    REQUIRE(bare.size() < whole.size());
+    const auto a = read_gcs(whole, "a.gcs").planes(), b = read_gcs(bare, "b.gcs").planes();
+    REQUIRE(a.size() == b.size());
+    for (std::size_t i = 0; i < a.size(); ++i) CHECK(length(a[i].normal - b[i].normal) < 1e-14);
 }
 
 TEST_CASE("a stone exported as triangles or polygons keeps its volume", "[designs][mesh]") {
