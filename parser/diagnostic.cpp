@@ -73,7 +73,7 @@ std::string_view likeliest(std::string_view word, std::span<const std::string_vi
     std::size_t best = std::max<std::size_t>(1, word.size() / 3) + 1;
     std::string_view found;
     for (const std::string_view candidate : candidates) {
-        const auto [less, more] = std::minmax(word.size(), candidate.size());
+        const auto [less, more] = std::minmax({word.size(), candidate.size()});
         if (more - less >= best) continue;
         const std::size_t distance = edit_distance(word, candidate);
         if (distance < best && distance < std::max(word.size(), candidate.size())) {

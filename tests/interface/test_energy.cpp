@@ -2,6 +2,7 @@
 // face.
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <limits>
 #include <numbers>
 
 #include "interface/interface.hpp"
@@ -73,10 +74,13 @@ TEST_CASE("tangential E and H are continuous across a face", "[interface][energy
         const CVec3 n = complexified(c.normal);
         const double jump =
             std::max(length(cross(n, E)), length(cross(n, H))) / size / field_slack(stress);
-        if (!(jump <= worst)) worst = jump, where = std::string(name(stress)) + ": " + c.text();
+        // A wave that grazes the face turns by rounding / cos when its k is found anew.
+        const double limit = 2e-13 + 4 * std::numeric_limits<double>::epsilon() / c.cos_ray;
+        if (!(jump / limit <= worst))
+            worst = jump / limit, where = std::string(name(stress)) + ": " + c.text();
     }
-    INFO(in_digits(worst) << " at " << where);
-    CHECK(worst < 2e-13);
+    INFO(in_digits(worst) << " of what is allowed at " << where);
+    CHECK(worst < 1);
 }
 
 TEST_CASE("a crystal whose indices are equal refracts and reflects as glass does",
