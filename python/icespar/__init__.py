@@ -6,20 +6,35 @@
 >>> picture.save("grid.exr")
 
 The physics of a single face is `interface`, with `Medium` and its `modes`; the algebra of Stokes vectors,
-Mueller and Jones matrices is the module `polarisation`; stones by themselves are `Stone`;
+Mueller and Jones matrices is the module `polarisation`; stones by themselves are `Stone`,
+faceting designs `Design` with `cutting_table`, `proportions` and the drawings of `icespar.diagram`;
 what a stone may be made of is `minerals`. Lengths are millimetres, wavelengths nanometres of vacuum; angles
 are degrees in scenes and radians elsewhere.
 Scenes have the left-handed world of the scene language; `interface` and `Stone` are right-handed.
 """
 
 from . import polarisation
-from ._core import Diagnostic, Error, IndexFunction, Medium, Mineral, Progress, RenderReport, Stone, __version__
+from ._core import (
+    Design,
+    Diagnostic,
+    Error,
+    IndexFunction,
+    Medium,
+    Mineral,
+    Progress,
+    RenderReport,
+    Stone,
+    Tier,
+    __version__,
+)
+from .cutting import Proportions, cutting_table, proportions
 from .image import Image
 from .minerals import mineral, minerals
 from .optics import Incident, Interface, Modes, Outgoing, interface
 from .scene import Scene, SceneError, SceneWarning, load
 
 __all__ = [
+    "Design",
     "Diagnostic",
     "Error",
     "Image",
@@ -31,15 +46,19 @@ __all__ = [
     "Modes",
     "Outgoing",
     "Progress",
+    "Proportions",
     "RenderReport",
     "Scene",
     "SceneError",
     "SceneWarning",
     "Stone",
+    "Tier",
     "__version__",
+    "cutting_table",
     "interface",
     "load",
     "mineral",
     "minerals",
     "polarisation",
+    "proportions",
 ]

@@ -21,7 +21,8 @@ def test_the_readmes_python_runs(root, tmp_path, monkeypatch):
     assert names["stokes"].shape == (1, 4)
 
 
-def test_the_python_page_runs(root):
+def test_the_python_page_runs(root, monkeypatch):
+    monkeypatch.chdir(root)
     names = {}
     for number, example in enumerate(blocks(root, "python", "docs/python.md")):
         exec(compile(example, f"docs/python.md, block {number}", "exec"), names)
