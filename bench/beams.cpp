@@ -58,12 +58,12 @@ Scene brilliant(const std::string& kind) {
     return scene;
 }
 
-struct Picture {
+struct Shot {
     std::vector<float> rgb;
     double seconds, events, error;
 };
 
-Picture picture(const Scene& scene, int size, int samples, std::uint64_t seed, Engine engine,
+Shot picture(const Scene& scene, int size, int samples, std::uint64_t seed, Engine engine,
                 bool stokes) {
     RenderOptions o;
     o.width = o.height = size;
@@ -78,7 +78,7 @@ Picture picture(const Scene& scene, int size, int samples, std::uint64_t seed, E
             r.report.error};
 }
 
-double rms(const Picture& x, const Picture& a, const Picture& b) {
+double rms(const Shot& x, const Shot& a, const Shot& b) {
     double sum = 0;
     for (std::size_t i = 0; i < x.rgb.size(); ++i) {
         sum += (double(x.rgb[i]) - a.rgb[i]) * (double(x.rgb[i]) - b.rgb[i]);
@@ -100,14 +100,14 @@ int main(int argc, char** argv) {
     const bool stokes = argc > 7;
     const Scene scene = brilliant(kind);
     const Engine truth = reference_rays ? Engine::rays : Engine::beams;
-    const Picture a = picture(scene, size, reference, 101, truth, false),
+    const Shot a = picture(scene, size, reference, 101, truth, false),
                   b = picture(scene, size, reference, 102, truth, false);
     double mean = 0;
     for (const float v : a.rgb) mean += v / static_cast<double>(a.rgb.size());
     std::printf("# reference %.2f s, mean %.4f\n", a.seconds, mean);
     std::printf("kind,engine,samples,cpu_seconds,rmse,estimated_rmse,events,ns_per_event\n");
     for (int samples = 1; samples <= 1 << doublings; samples *= 2) {
-        const Picture p = picture(scene, size, samples, static_cast<std::uint64_t>(samples),
+        const Shot p = picture(scene, size, samples, static_cast<std::uint64_t>(samples),
                                   rays ? Engine::rays : Engine::beams, stokes);
         std::printf("%s,%s,%d,%.3f,%.5f,%.5f,%.0f,%.0f\n", kind.c_str(), rays ? "rays" : "beams",
                     samples, p.seconds, rms(p, a, b), p.error * mean, p.events,

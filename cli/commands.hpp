@@ -36,6 +36,16 @@ int render_command(const RenderArguments& arguments, std::ostream& messages);
 int check_command(const std::filesystem::path& scene, const LoadOptions& options, bool json,
                   std::ostream& out, std::ostream& messages);
 
+struct PlanArguments {
+    std::filesystem::path scene;
+    bool stokes = false, full = false;
+    Engine engine = Engine::automatic;
+};
+
+/// Reads a scene and says how it would be rendered, and why.
+int plan_command(const PlanArguments& arguments, const LoadOptions& options, std::ostream& out,
+                 std::ostream& messages);
+
 /// Prints the scene evenly indented, or writes it back in place.
 int format_command(const std::filesystem::path& scene, bool in_place, std::ostream& out,
                    std::ostream& messages);

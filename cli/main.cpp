@@ -146,6 +146,11 @@ int main(int argc, char** argv) {
         ->allow_extra_args(false)
         ->check(folder);
 
+    bool full = false;
+    render->add_flag("--full", full,
+                     "Use the full kernel where a lesser one would do: the same picture, later\n"
+                     "(icespar plan says which)");
+
     Animation& animation = arguments.animation;
     bool two_clocks = false;
     render
@@ -174,6 +179,26 @@ int main(int argc, char** argv) {
         ->required();
     check
         ->add_option("--allow", arguments.allow,
+                     "A folder the scene may read besides its own; may be repeated")
+        ->type_name("DIR")
+        ->allow_extra_args(false)
+        ->check(folder);
+
+    PlanArguments planned;
+    CLI::App* plan = app.add_subcommand("plan", "Say how a scene would be rendered, and why");
+    plan->footer(
+        "What a scene does not need is not computed: one path serves all wavelengths where no "
+        "stone\ndisperses, intensity does without Stokes vectors, and so on. `render` chooses in "
+        "the "
+        "same way.\nExit codes: 0 done, 1 the scene is at fault, 2 wrong usage.");
+    plan->add_option("SCENE", planned.scene, "A scene in a .spar, .pov or .inc file")->required();
+    plan->add_flag("--stokes", planned.stokes, "As if the polarisation were to be kept");
+    plan->add_option("--engine", planned.engine, "As if this engine were asked for")
+        ->type_name("rays|beams|auto")
+        ->transform(CLI::CheckedTransformer(engines));
+    plan->add_flag("--full", planned.full, "As if the full kernel were asked for");
+    clock_option(plan, "T", "What 'clock' is in the scene (default 0)");
+    plan->add_option("--allow", arguments.allow,
                      "A folder the scene may read besides its own; may be repeated")
         ->type_name("DIR")
         ->allow_extra_args(false)
@@ -234,23 +259,29 @@ int main(int argc, char** argv) {
             return exit_usage;
         }
         app.parse(argc, argv);
+        const auto still = [&](const std::string& command) {
+            if (two_clocks) refuse("--clock: a " + command + " has one clock, not two");
+            LoadOptions options;
+            options.allow = arguments.allow;
+            options.clock = animation.clock_from;
+            return options;
+        };
         if (render->parsed()) {
             RenderOptions& o = arguments.options;
             if (two_clocks && !animation.on)
                 refuse("--clock: FROM,TO is for --frames; give one number for a still picture");
             if (!two_clocks && animation.on && render->count("--clock") > 0)
                 refuse("--clock: with --frames it is FROM,TO");
+            if (full) o.forced = Forced::everything();
             if (o.error == 0 && o.seconds == 0 && o.samples == 0) o.samples = 64;
             return render_command(arguments, std::cerr);
         }
         if (convert->parsed()) return convert_command(conversion, std::cerr);
         if (check->parsed()) {
-            if (two_clocks) refuse("--clock: a check has one clock, not two");
-            LoadOptions options;
-            options.allow = arguments.allow;
-            options.clock = animation.clock_from;
+            const LoadOptions options = still("check");
             return check_command(arguments.scene, options, json, std::cout, std::cerr);
         }
+        if (plan->parsed()) return plan_command(planned, still("plan"), std::cout, std::cerr);
         if (format->parsed())
             return format_command(arguments.scene, in_place, std::cout, std::cerr);
         if (minerals->parsed()) return minerals_command(mineral, colours, std::cout, std::cerr);

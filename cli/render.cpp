@@ -96,7 +96,9 @@ int render_picture(const RenderArguments& arguments, const LoadOptions& load,
                    std::set<std::string>& told, std::ostream& messages) {
     const ReadScene read = read_scene(arguments.scene, load, messages, &told);
     if (!read.scene) return exit_fault;
-    messages << plan_line(arguments) << std::endl;
+    const RenderOptions& o = arguments.options;
+    messages << plan_line(arguments) << '\n'
+             << "by " << plan_summary(needs_of(*read.scene, o.stokes, o.engine, o.forced)) << std::endl;
     Rendering rendering;
     {
         ProgressBar bar;

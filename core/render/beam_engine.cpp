@@ -18,59 +18,37 @@ struct BeamScene::Stones {
     std::vector<FacetSearch> facets;
     std::vector<Footprint> footprints;
     std::vector<Visibility> visibility;
-    std::vector<bool> suited;
-    bool sky_only = false;  ///< what leaves a stone meets nothing but an unpolarised sky
 };
 
-namespace {
-
-/// Beams know clear isotropic and uniaxial stones without activity.
-bool suited(const Crystal& c) {
-    return c.indices.size() < 3 && !c.absorbs() && !c.active();
-}
-
-}  // namespace
-
-BeamScene::BeamScene(const World& world, int width, int height)
-    : world_(world), width_(width), height_(height), stones_(std::make_unique<Stones>()) {
+BeamScene::BeamScene(const World& world, const Needs& needs, int width, int height)
+    : world_(world),
+      needs_(needs),
+      width_(width),
+      height_(height),
+      stones_(std::make_unique<Stones>()) {
     const Scene& scene = world.scene();
     for (std::size_t i = 0; i < scene.gems.size(); ++i) {
         const Stone& stone = scene.gems[i].stone;
         stones_->facets.emplace_back(stone);
         stones_->footprints.emplace_back(stone, scene.camera, width, height);
-        stones_->suited.push_back(suited(scene.gems[i].crystal));
         stones_->visibility.emplace_back(world, static_cast<int>(i), width, height);
     }
-    stones_->sky_only = scene.gems.size() == 1 && scene.things.empty() &&
-                        scene.environment.state == Stokes{1, 0, 0, 0} &&
-                        !scene.environment.pattern && scene.environment.formulas.empty();
 }
 
 BeamScene::~BeamScene() = default;
 
-std::string BeamScene::obstacle(const Scene& scene) {
-    if (scene.gems.empty()) return "there is no stone in the scene";
-    if (!scene.camera.is_simple()) return "the camera has a lens, a fisheye or an analyser";
-    for (const Gem& gem : scene.gems) {
-        if (suited(gem.crystal)) return {};
-    }
-    return "its stones absorb, turn polarisation or are biaxial";
-}
-
-bool BeamScene::tells_error() const {
-    return stones_->sky_only && !world_.scene().gems[0].crystal.dispersive();
-}
+bool BeamScene::tells_error() const { return !needs_.surroundings && !needs_.wavelengths; }
 
 int BeamScene::stone_at(int x, int y) const {
     int found = -1;
     for (std::size_t i = 0; i < stones_->footprints.size(); ++i) {
         if (!stones_->footprints[i].frame().holds(x, y)) continue;
-        if (found >= 0 || !stones_->suited[i] || stones_->visibility[i].doubtful(x, y)) {
+        if (found >= 0 || !needs_.stones[i].beams || stones_->visibility[i].doubtful(x, y)) {
             return by_rays;
         }
         found = static_cast<int>(i);
     }
-    return found >= 0 ? found : stones_->sky_only ? sky : by_rays;
+    return found >= 0 ? found : needs_.surroundings ? by_rays : sky;
 }
 
 struct BeamEngine::Kernels {
@@ -117,21 +95,22 @@ public:
     using Isotropic = BeamTracer<Response, false>;
     using Uniaxial = BeamTracer<Response, true>;
 
-    PixelBeams(const World& world, const BeamScene::Stones& stones, const Palette& palette,
-               int width, int height)
+    PixelBeams(const World& world, const Needs& needs, const BeamScene::Stones& stones,
+               const Palette& palette, int width, int height)
         : world_(world),
+          needs_(needs),
           stones_(stones),
           palette_(palette),
           width_(width),
           height_(height),
-          walker_(world, palette, false),
+          walker_(world, palette, needs, false),
           sky_(world.scene().environment) {
         const auto add = [&](const Emitter& e) { lights_.push_back(xyz_from_rgb(e.rgb)[1]); };
         add(palette.below);
         add(palette.above);
         for (const Emitter& e : palette.discs) add(e);
         for (std::size_t i = 0; i < stones.facets.size(); ++i) {
-            if (world.scene().gems[i].crystal.birefringent()) {
+            if (needs.stones[i].birefringent) {
                 tracers_.emplace_back(std::in_place_type<Uniaxial>, stones.facets[i]);
             } else {
                 tracers_.emplace_back(std::in_place_type<Isotropic>, stones.facets[i]);
@@ -163,11 +142,11 @@ public:
         for (std::size_t i = 0; i < count_; ++i) {
             if (parts_[i].facet < 0) background(parts_[i].polygon);
         }
-        if (!crystal.dispersive()) {
+        if (!needs_.stones[g].wavelengths) {
             roulette_.begin(seed, threshold_);
             trace_stone(crystal, longest_nm);
             flush(false);
-            return stones_.sky_only ? roulette_.variance() : -1;
+            return needs_.surroundings ? -1 : roulette_.variance();
         }
         flush(false);
         dispersive_ = true;
@@ -201,7 +180,7 @@ public:
     void open() { opened_ = sky_.luminance(lights_); }
     void close(int hits) { roulette_.saw(hits, sky_.luminance(lights_) - opened_); }
     void see(const Leaf<Response>& leaf) {
-        if (stones_.sky_only) {
+        if (!needs_.surroundings) {
             sky_.add(leaf.k, leaf.polygon, leaf.area, leaf.response.unpolarised());
             return;
         }
@@ -247,7 +226,7 @@ private:
 
     void background(PolygonView polygon) {
         const Extent e = extent(polygon);
-        if (stones_.sky_only) {
+        if (!needs_.surroundings) {
             const Vec3 unit = normalised(field_.direction.at(e.centroid));
             const double size = length(field_.direction.at(e.centroid));
             const auto turned = [&](const Vec3& d) { return (d - dot(unit, d) * unit) / size; };
@@ -269,10 +248,11 @@ private:
     }
 
     void flush(bool one_wavelength) {
-        if (stones_.sky_only) sky_.flush(palette_, share_, one_wavelength, *sampler_);
+        if (!needs_.surroundings) sky_.flush(palette_, share_, one_wavelength, *sampler_);
     }
 
     const World& world_;
+    const Needs& needs_;
     const BeamScene::Stones& stones_;
     const Palette& palette_;
     int width_, height_;
@@ -294,13 +274,13 @@ private:
 
 }  // namespace
 
-BeamEngine::BeamEngine(const BeamScene& scene, const Palette& palette, bool stokes) {
-    if (stokes) {
-        kernels_ = std::make_unique<PixelBeams<FullResponse>>(scene.world_, *scene.stones_, palette,
-                                                              scene.width_, scene.height_);
+BeamEngine::BeamEngine(const BeamScene& scene, const Palette& palette) {
+    if (scene.needs_.stokes) {
+        kernels_ = std::make_unique<PixelBeams<FullResponse>>(
+            scene.world_, scene.needs_, *scene.stones_, palette, scene.width_, scene.height_);
     } else {
         kernels_ = std::make_unique<PixelBeams<IntensityResponse>>(
-            scene.world_, *scene.stones_, palette, scene.width_, scene.height_);
+            scene.world_, scene.needs_, *scene.stones_, palette, scene.width_, scene.height_);
     }
 }
 

@@ -3,8 +3,8 @@
 
 #include <cstdint>
 #include <memory>
-#include <string>
 
+#include "render/needs.hpp"
 #include "render/palette.hpp"
 #include "render/sampler.hpp"
 #include "render/world.hpp"
@@ -14,11 +14,8 @@ namespace icespar {
 /// What all workers share: stones laid out for beams, and where each is seen.
 class BeamScene {
 public:
-    BeamScene(const World& world, int width, int height);
+    BeamScene(const World& world, const Needs& needs, int width, int height);
     ~BeamScene();
-
-    /// Why this scene's pictures cannot be made by beams; empty when they can.
-    [[nodiscard]] static std::string obstacle(const Scene& scene);
 
     enum Kind { by_rays = -2, sky = -1 };
     /// Whether a single pass can tell its own error.
@@ -33,6 +30,7 @@ public:
 private:
     friend class BeamEngine;
     const World& world_;
+    const Needs& needs_;
     int width_, height_;
     std::unique_ptr<Stones> stones_;
 };
@@ -40,7 +38,7 @@ private:
 /// One worker's beams.
 class BeamEngine {
 public:
-    BeamEngine(const BeamScene& scene, const Palette& palette, bool stokes);
+    BeamEngine(const BeamScene& scene, const Palette& palette);
     ~BeamEngine();
     BeamEngine(BeamEngine&&) noexcept;
 

@@ -54,6 +54,9 @@ public:
 
     [[nodiscard]] Image image() const;
 
+    /// Of all samples: pixel by pixel, channel by channel, component by component.
+    [[nodiscard]] const std::vector<double>& sums() const { return sums_; }
+
 private:
     [[nodiscard]] std::size_t pixel(int x, int y) const {
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +

@@ -10,16 +10,12 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
-#include <optional>
 #include <sstream>
 #include <thread>
 
 #include "math/error.hpp"
-#include "render/beam_engine.hpp"
-#include "render/camera.hpp"
 #include "render/film.hpp"
-#include "render/sampler.hpp"
-#include "render/walker.hpp"
+#include "render/pixel_worker.hpp"
 
 namespace icespar {
 namespace {
@@ -27,13 +23,6 @@ namespace {
 constexpr int tile = 16;
 constexpr int samples_per_pass = 8;
 constexpr int default_samples = 64;
-
-struct Worker {
-    Sampler sampler;
-    Walker<Sampler> walker;
-    std::optional<BeamEngine> beams;
-    std::uint64_t bad = 0;
-};
 
 void check(const Scene& scene, const RenderOptions& o) {
     constexpr int largest = 65536, most_bands = 400;
@@ -49,10 +38,6 @@ void check(const Scene& scene, const RenderOptions& o) {
     if (!in(o.bands, 0, most_bands)) throw Error("the number of bands must be between 0 and 400");
     for (const auto& problems : {faults(scene), camera_faults(scene)}) {
         if (!problems.empty()) throw Error(problems.front());
-    }
-    if (const std::string obstacle = BeamScene::obstacle(scene);
-        o.engine == Engine::beams && !obstacle.empty()) {
-        throw Error("beams cannot make this picture: " + obstacle + "; choose the engine rays");
     }
 }
 
@@ -91,27 +76,22 @@ Rendering render(const Scene& scene, const RenderOptions& options,
                             ? default_samples
                             : options.samples;
 
-    const World world(scene);
-    const Palette palette(scene, options.bands);
-    const WavelengthSampler wavelengths(options.bands > 0);
-    std::optional<BeamScene> beams;
-    if (options.engine != Engine::rays && BeamScene::obstacle(scene).empty()) {
-        beams.emplace(world, options.width, options.height);
+    const Needs needs = needs_of(scene, options.stokes, options.engine, options.forced);
+    if (options.engine == Engine::beams && !needs.obstacle.empty()) {
+        throw Error("beams cannot make this picture: " + needs.obstacle +
+                    "; choose the engine rays");
     }
-    Film film(options.width, options.height, options.bands, options.stokes);
-    tbb::enumerable_thread_specific<Worker> workers([&] {
-        Worker w{Sampler(film, wavelengths, scene.max_trace_level),
-                 Walker<Sampler>(world, palette, false), std::nullopt};
-        if (beams) w.beams.emplace(*beams, palette, options.stokes);
-        return w;
-    });
+    const PreparedScene prepared(scene, needs, options.width, options.height, options.bands);
+    const bool by_beams = needs.engine == Engine::beams;
+    Film film(options.width, options.height, options.bands, needs.stokes);
+    tbb::enumerable_thread_specific<PixelWorker> workers(
+        [&] { return PixelWorker(prepared, film); });
     tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
 
     const int across = (options.width + tile - 1) / tile, down = (options.height + tile - 1) / tile;
     const int tiles = across * down;
     // Per tile, so that sums do not depend on the threads.
-    std::vector<double> dropped(static_cast<std::size_t>(tiles), 0.0), absorbed = dropped;
-    std::vector<std::uint64_t> paths(static_cast<std::size_t>(tiles), 0);
+    std::vector<PixelWorker::Account> accounts(static_cast<std::size_t>(tiles));
 
     RenderReport report;
     Progress state;
@@ -128,44 +108,15 @@ Rendering render(const Scene& scene, const RenderOptions& options,
     };
 
     const auto render_tile = [&](int index, int first_sample, int count) {
-        Worker& w = workers.local();
+        PixelWorker& worker = workers.local();
+        PixelWorker::Account& account = accounts[static_cast<std::size_t>(index)];
+        const bool ends_pass = by_beams || (first_sample + count) % samples_per_pass == 0;
         const int x0 = index % across * tile, y0 = index / across * tile;
         for (int y = y0; y < std::min(y0 + tile, options.height); ++y) {
             for (int x = x0; x < std::min(x0 + tile, options.width); ++x) {
                 look();
                 if (stop) return;
-                const std::uint64_t pixel =
-                    mixed(mixed(options.seed) + static_cast<std::uint64_t>(y) * 65536u +
-                          static_cast<std::uint64_t>(x));
-                const int stone = beams ? beams->stone_at(x, y) : BeamScene::by_rays;
-                if (stone != BeamScene::by_rays) {
-                    const auto number = static_cast<std::uint64_t>(first_sample);
-                    w.sampler.dropped = w.sampler.absorbed = 0;
-                    const double variance =
-                        w.beams->pixel(x, y, stone, count, mixed(pixel ^ mixed(number)), w.sampler);
-                    if (!film.add(x, y, w.sampler.sample, count)) ++w.bad;
-                    dropped[static_cast<std::size_t>(index)] += count * w.sampler.dropped;
-                    absorbed[static_cast<std::size_t>(index)] += count * w.sampler.absorbed;
-                    paths[static_cast<std::size_t>(index)] += static_cast<std::uint64_t>(count);
-                    film.end_pass(x, y, variance);
-                    continue;
-                }
-                for (int i = first_sample; i < first_sample + count; ++i) {
-                    const auto number = static_cast<std::uint64_t>(i);
-                    const CameraSample at = camera_sample(pixel, number);
-                    w.sampler.begin(mixed(pixel ^ mixed(number)));
-                    w.sampler.at_wavelength(at.wavelength);
-                    w.sampler.dropped = w.sampler.absorbed = 0;
-                    const LensSample lens = lens_sample(pixel, number);
-                    const auto branch = camera_branch(scene.camera, (x + at.x) / options.width,
-                                                      (y + at.y) / options.height, lens.a, lens.b);
-                    if (branch) w.walker.walk(*branch, w.sampler.wavelength_nm(), w.sampler);
-                    if (!film.add(x, y, w.sampler.sample)) ++w.bad;
-                    dropped[static_cast<std::size_t>(index)] += w.sampler.dropped;
-                    absorbed[static_cast<std::size_t>(index)] += w.sampler.absorbed;
-                    ++paths[static_cast<std::size_t>(index)];
-                }
-                if (beams || (first_sample + count) % samples_per_pass == 0) film.end_pass(x, y);
+                worker.add(film, x, y, options.seed, first_sample, count, ends_pass, account);
             }
         }
     };
@@ -174,9 +125,9 @@ Rendering render(const Scene& scene, const RenderOptions& options,
     int batch = 4 * arena.max_concurrency();
     bool enough = false;
     while (!report.interrupted && !enough) {
-        int count = beams ? next_beam_pass(options, report.samples, samples, report.error,
-                                           beams->tells_error())
-                          : next_ray_pass(options, report.samples);
+        int count = by_beams ? next_beam_pass(options, report.samples, samples, report.error,
+                                              prepared.beams->tells_error())
+                             : next_ray_pass(options, report.samples);
         if (samples > 0) count = std::min(count, samples - report.samples);
         int end = 0;
         for (int begin = 0; begin < tiles && !stop; begin = end) {
@@ -214,20 +165,21 @@ Rendering render(const Scene& scene, const RenderOptions& options,
                   report.samples >= 2 * samples_per_pass);
     }
 
-    for (const double d : dropped) report.dropped += d;
-    for (const double a : absorbed) report.absorbed += a;
-    for (const std::uint64_t n : paths) report.paths += n;
+    for (const PixelWorker::Account& a : accounts) {
+        report.dropped += a.dropped;
+        report.absorbed += a.absorbed;
+        report.paths += a.paths;
+    }
     if (report.paths > 0) {
         report.dropped /= static_cast<double>(report.paths);
         report.absorbed /= static_cast<double>(report.paths);
     }
-    for (const Worker& w : workers) {
-        report.events += w.walker.events();
-        if (w.beams) report.events += w.beams->events();
-        report.bad_samples += w.bad;
+    for (const PixelWorker& w : workers) {
+        report.events += w.events();
+        report.bad_samples += w.bad();
     }
     report.seconds = seconds();
-    report.engine = beams ? Engine::beams : Engine::rays;
+    report.engine = needs.engine;
     Rendering out{film.image(), report};
     auto& m = out.image.metadata;
     m["scene"] = scene.title;

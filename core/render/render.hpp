@@ -7,13 +7,10 @@
 #include <vector>
 
 #include "image/image.hpp"
+#include "render/needs.hpp"
 #include "scene/scene.hpp"
 
 namespace icespar {
-
-/// What follows light through stones: rays sample it, beams follow whole pixels (docs/method.md).
-/// automatic: beams where they apply. Both make the same picture, within their noise.
-enum class Engine { automatic, rays, beams };
 
 struct RenderOptions {
     int width = 640, height = 480;
@@ -25,6 +22,7 @@ struct RenderOptions {
     int bands = 0;  ///< spectral bands asked for, 0 .. 400
     bool stokes = false;
     Engine engine = Engine::automatic;
+    Forced forced{};  ///< kernels that the scene does not need
 };
 
 struct Progress {
@@ -66,6 +64,7 @@ struct TraceOptions {
         0;  ///< interface events of a path, the entry (or outer reflection) the first; 0: no bound
     double threshold = 0;  ///< a branch of less weight is dropped before it is continued
     int threads = 0;
+    Forced forced{};  ///< kernels that the scene does not need
 };
 
 /// One ray of `trace`: into the scene, with picture-right.

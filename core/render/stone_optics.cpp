@@ -6,22 +6,25 @@
 namespace icespar {
 namespace {
 
-Medium medium_of(const Crystal& c, double nm) {
+Medium medium_of(const Crystal& c, double nm, bool general) {
     const auto& n = c.indices;
     if (n.size() == 1) return Medium::isotropic(n[0](nm));
     if (n.size() == 3) {
         return Medium::biaxial({n[0](nm), n[1](nm), n[2](nm)}, c.axis, cross(c.third_axis, c.axis));
     }
     const double rotation = c.rotation(nm);
+    if (rotation == 0 && general) {
+        const double n_o = n[0](nm);
+        return Medium::biaxial({n[1](nm), n_o, n_o}, c.axis, any_perpendicular(c.axis));
+    }
     if (rotation == 0) return Medium::uniaxial(n[0](nm), n[1](nm), c.axis);
     return Medium::active(n[0](nm), n[1](nm), c.axis, rotation, nm);
 }
 
 }  // namespace
 
-StoneOptics::StoneOptics(const Crystal& c, double nm)
-    : medium_(medium_of(c, nm)), wavelength_nm_(nm), fade_(c.fade ? &*c.fade : nullptr) {
-    absorbing_ = c.absorbs();
+StoneOptics::StoneOptics(const Crystal& c, double nm, bool general)
+    : medium_(medium_of(c, nm, general)), wavelength_nm_(nm), fade_(c.fade ? &*c.fade : nullptr) {
     if (c.absorption.empty()) return;
     const auto strength = [&](std::size_t i) { return c.indices[i](nm) * c.absorption[i](nm); };
     const double first = strength(0);

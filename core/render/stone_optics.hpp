@@ -11,11 +11,11 @@ namespace icespar {
 class StoneOptics {
 public:
     StoneOptics() = default;
-    StoneOptics(const Crystal& crystal, double wavelength_nm);
+    /// `general`: a uniaxial crystal, too, is left to the general solver, with modes fast and slow.
+    StoneOptics(const Crystal& crystal, double wavelength_nm, bool general = false);
 
     [[nodiscard]] const Medium& medium() const { return medium_; }
     [[nodiscard]] double wavelength_nm() const { return wavelength_nm_; }
-    [[nodiscard]] bool absorbing() const { return absorbing_; }
 
     /// What is left of the power of a wave after a length along its unit `ray`. Its unit E is re +
     /// i im; an isotropic stone does not ask for it.
@@ -25,7 +25,6 @@ public:
 private:
     Medium medium_;
     double wavelength_nm_ = 0;
-    bool absorbing_ = false;
     /// k0 Im eps: index times absorption along each principal axis, per mm.
     RealTensor loss_{};
     const Fade* fade_ = nullptr;

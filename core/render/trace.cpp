@@ -96,7 +96,8 @@ Traced trace(const Scene& scene, std::span<const SensorRay> rays, const TraceOpt
     const auto problems = faults(scene);
     if (!problems.empty()) throw Error(problems.front());
 
-    const World world(scene);
+    const Needs needs = needs_of(scene, true, Engine::rays, options.forced);
+    const World world(scene, needs.tree);
     const Palette palette(scene, 0);
     const double white_radiance = scene.environment.illuminant(options.wavelength_nm);
     if (!(white_radiance > 0)) throw Error("the environment's illuminant is 0 at this wavelength");
@@ -107,7 +108,7 @@ Traced trace(const Scene& scene, std::span<const SensorRay> rays, const TraceOpt
     const bool bounded = options.max_hits > 0 || options.threshold > 0;
     tbb::enumerable_thread_specific<Worker> workers([&] {
         return Worker{Collector(options, white_radiance),
-                      Walker<Collector>(world, palette, !bounded)};
+                      Walker<Collector>(world, palette, needs, !bounded)};
     });
     Traced out;
     out.stokes.resize(rays.size());

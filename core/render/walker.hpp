@@ -10,6 +10,7 @@
 
 #include "render/branch.hpp"
 #include "render/lamp.hpp"
+#include "render/needs.hpp"
 #include "render/palette.hpp"
 #include "render/pass_filter.hpp"
 #include "render/random.hpp"
@@ -33,8 +34,8 @@ namespace icespar {
 template <class Guide>
 class Walker {
 public:
-    Walker(const World& world, const Palette& palette, bool heaviest_first)
-        : world_(world), palette_(palette), heaviest_first_(heaviest_first) {
+    Walker(const World& world, const Palette& palette, const Needs& needs, bool heaviest_first)
+        : world_(world), palette_(palette), needs_(needs.stones), heaviest_first_(heaviest_first) {
         stones_.resize(world.scene().gems.size());
     }
 
@@ -69,11 +70,15 @@ private:
         }
     }
 
+    const StoneNeeds& needs(int gem) const { return needs_[static_cast<std::size_t>(gem)]; }
+
     const StoneOptics& optics(int gem) {
         StoneOptics& stone = stones_[static_cast<std::size_t>(gem)];
-        if (stone.wavelength_nm() != wavelength_nm_) {
+        const StoneNeeds& need = needs(gem);
+        const bool stale = stone.wavelength_nm() == 0 || need.wavelengths || need.active;
+        if (stale && stone.wavelength_nm() != wavelength_nm_) {
             stone = StoneOptics(world_.scene().gems[static_cast<std::size_t>(gem)].crystal,
-                                wavelength_nm_);
+                                wavelength_nm_, need.general);
         }
         return stone;
     }
@@ -85,7 +90,7 @@ private:
         const int facet = world_.planes(b.gem).exit(b.position, b.ray, b.facet, distance);
         if (facet < 0) return guide.lose(b.unpolarised());
         const StoneOptics& within = optics(b.gem);
-        if (within.absorbing()) absorb(b, within, distance, guide);
+        if (needs(b.gem).absorption) absorb(b, within, distance, guide);
         const Stone& stone = world_.scene().gems[static_cast<std::size_t>(b.gem)].stone;
         meet_face(b, b.position + distance * b.ray, within.medium(), air_,
                   stone.facets[static_cast<std::size_t>(facet)].normal, b.gem, facet, guide);
@@ -180,9 +185,7 @@ private:
         child.position = point;
         child.twin = -1;
         child.hits = b.hits + 1;
-        child.one_wavelength =
-            b.one_wavelength ||
-            world_.scene().gems[static_cast<std::size_t>(gem)].crystal.dispersive();
+        child.one_wavelength = b.one_wavelength || needs(gem).wavelengths;
         for (const bool transmitted : {false, true}) {
             const Medium& medium_out = transmitted ? to : from;
             const bool inside = (b.gem >= 0) != transmitted;
@@ -255,7 +258,7 @@ private:
                        wave_of(fast, within.medium()), wave_of(slow, within.medium()));
         if (!face) return false;
         ++events_;
-        if (within.absorbing()) {
+        if (needs(fast.gem).absorption) {
             absorb(fast, within, distance, guide);
             absorb(slow, within, distance, guide);
         }
@@ -428,6 +431,7 @@ private:
 
     const World& world_;
     const Palette& palette_;
+    std::vector<StoneNeeds> needs_;
     bool heaviest_first_;
     Medium air_ = Medium::isotropic(1);
     double wavelength_nm_ = 0;

@@ -7,14 +7,12 @@
 
 #include "render/bounded_objects.hpp"
 #include "render/meet_shape.hpp"
+#include "render/needs.hpp"
 
 namespace icespar {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-/// With no more bounded objects than this, asking all is cheaper than a tree (bench/).
-constexpr std::size_t few_objects = 4;
 
 /// Room for the float rays of the tree: its boxes grow by this part of the scene's coordinates.
 constexpr double float_slack = 4e-6;
@@ -25,15 +23,6 @@ void grow(Bounds& b, const Vec3& v) {
 }
 
 constexpr Bounds nothing{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
-
-std::size_t objects_in(const Scene& scene) {
-    std::size_t count = scene.gems.size();
-    for (const Thing& thing : scene.things) {
-        const auto* mesh = std::get_if<MeshShape>(&thing.shape);
-        count += mesh ? mesh->mesh->triangles.size() : 1;
-    }
-    return count;
-}
 
 }  // namespace
 
@@ -87,7 +76,7 @@ int FacetPlanes::entry(const Vec3& o, const Vec3& d, double& distance_in) const 
     return facet;
 }
 
-World::World(const Scene& scene) : World(scene, objects_in(scene) > few_objects) {}
+World::World(const Scene& scene) : World(scene, needs_of(scene).tree) {}
 
 World::World(const Scene& scene, bool use_tree) : scene_(scene) {
     std::vector<Bounds> bounds;  // as `bounds_`, but triangle by triangle

@@ -34,10 +34,6 @@ struct Camera {
     double fisheye_angle = std::numbers::pi;
     double lens_radius = 0, focal_distance = 1;  ///< the latter along `direction`
     std::optional<Jones> analyser{};             ///< before the sensor, on its x and y
-    /// One ray a point of the picture, and nothing between it and the sensor.
-    [[nodiscard]] bool is_simple() const {
-        return kind != Kind::fisheye && lens_radius == 0 && !analyser;
-    }
 };
 
 struct Gem {

@@ -53,6 +53,8 @@ py::tuple render_scene(const Scene& scene, const RenderOptions& options,
     return py::make_tuple(std::move(rendering.image), rendering.report);
 }
 
+Forced forced(bool full) { return full ? Forced::everything() : Forced{}; }
+
 /// The world of a scene is left-handed, the core's is not.
 Vec3 mirrored(const Vec3& v) { return {v.x, v.y, -v.z}; }
 
@@ -131,14 +133,27 @@ void bind_scene(py::module_& module) {
     module.def(
         "render",
         [](const Scene& scene, int width, int height, int samples, double error, double seconds,
-           int threads, std::uint64_t seed, int bands, bool stokes, Engine engine,
+           int threads, std::uint64_t seed, int bands, bool stokes, Engine engine, bool full,
            const py::object& progress) {
-            return render_scene(
-                scene, {width, height, samples, error, seconds, threads, seed, bands, stokes, engine},
-                progress);
+            return render_scene(scene,
+                                {width, height, samples, error, seconds, threads, seed, bands,
+                                 stokes, engine, forced(full)},
+                                progress);
         },
         "scene"_a, py::kw_only(), "width"_a, "height"_a, "samples"_a, "error"_a, "seconds"_a,
-        "threads"_a, "seed"_a, "bands"_a, "stokes"_a, "engine"_a, "progress"_a, "The image and the report.");
+        "threads"_a, "seed"_a, "bands"_a, "stokes"_a, "engine"_a, "full"_a, "progress"_a,
+        "The image and the report.");
+    module.def(
+        "plan",
+        [](const Scene& scene, bool stokes, Engine engine, bool full) {
+            const Needs needs = needs_of(scene, stokes, engine, forced(full));
+            py::list lines;
+            for (const PlanLine& l : plan(scene, needs))
+                lines.append(py::make_tuple(l.subject, l.choice, l.reason));
+            return py::make_tuple(lines, plan_warnings(scene), plan_text(scene, needs));
+        },
+        "scene"_a, py::kw_only(), "stokes"_a, "engine"_a, "full"_a,
+        "Subject, choice and reason of each line; warnings; all of it as text.");
     module.def(
         "trace",
         [](const Scene& scene, const Doubles& origins, const Doubles& directions,

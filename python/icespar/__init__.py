@@ -31,7 +31,7 @@ from .cutting import Proportions, cutting_table, proportions
 from .image import Image
 from .minerals import mineral, minerals
 from .optics import Incident, Interface, Modes, Outgoing, interface
-from .scene import Scene, SceneError, SceneWarning, load
+from .scene import Plan, Scene, SceneError, SceneWarning, load
 
 __all__ = [
     "Design",
@@ -45,6 +45,7 @@ __all__ = [
     "Mineral",
     "Modes",
     "Outgoing",
+    "Plan",
     "Progress",
     "Proportions",
     "RenderReport",

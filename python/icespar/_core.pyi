@@ -360,8 +360,12 @@ def render(
     bands: int,
     stokes: bool,
     engine: Engine,
+    full: bool,
     progress: Callable[[Progress], bool | None] | None,
 ) -> tuple[Image, RenderReport]: ...
+def plan(
+    scene: Scene, *, stokes: bool, engine: Engine, full: bool
+) -> tuple[list[tuple[str, str, str]], list[str], str]: ...
 def trace(
     scene: Scene,
     origins: NDArray[np.float64],

@@ -69,6 +69,24 @@ def load(
     return Scene(core, name)
 
 
+class Plan:
+    """What a scene needs of the renderer; str() shows all of it with the reasons."""
+
+    def __init__(self, lines: list[tuple[str, str, str]], warnings: list[str], text: str) -> None:
+        #: what was chosen, by subject: "wavelengths", "crystals", "engine" and so on
+        self.choices = {subject: choice for subject, choice, _ in lines}
+        #: why, by subject
+        self.reasons = {subject: reason for subject, _, reason in lines}
+        self.warnings = warnings  #: what converges slowly or is left out
+        self._text = text
+
+    def __str__(self) -> str:
+        return self._text
+
+    def __repr__(self) -> str:
+        return f"<Plan {self.choices}>"
+
+
 class Scene:
     """A scene that is ready to be rendered. It does not change; load another one to change it."""
 
@@ -92,6 +110,7 @@ class Scene:
         stokes: bool = False,
         spectral: int = 0,
         engine: Literal["auto", "rays", "beams"] = "auto",
+        full: bool = False,
         progress: bool | Callable[[_core.Progress], bool | None] = True,
     ) -> Image:
         """Renders to an Image of `size` (width, height).
@@ -101,7 +120,8 @@ class Scene:
         make the same bits for any number of `threads` (0: all).
         `stokes` keeps the polarisation, `spectral` that many bands of the spectrum.
         `engine` "rays" samples, "beams" follows whole pixels through stones, "auto" takes beams where there
-        is a stone; both make the same picture within their noise.
+        is a stone; both make the same picture within their noise. `full` computes what the scene does not
+        need, too (see `plan`).
         `progress` True draws a bar on a terminal or in a notebook; a function is called with a Progress
         now and then, and ends the render by returning False. Ctrl-C raises KeyboardInterrupt.
 
@@ -119,6 +139,7 @@ class Scene:
             bands=_count("spectral", spectral, least=0, most=400),
             stokes=bool(stokes),
             engine=_engine(engine),
+            full=bool(full),
             **bounds,
         )
         if callable(progress):
@@ -128,6 +149,12 @@ class Scene:
                 core, report = _core.render(self._core, progress=callback, **options)
         core.metadata = core.metadata | {"scene": self.name}
         return Image(core, report)
+
+    def plan(
+        self, stokes: bool = False, engine: Literal["auto", "rays", "beams"] = "auto", full: bool = False
+    ) -> Plan:
+        """How `render` would make a picture with these arguments, and why."""
+        return Plan(*_core.plan(self._core, stokes=bool(stokes), engine=_engine(engine), full=bool(full)))
 
     @overload
     def trace(

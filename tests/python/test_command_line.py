@@ -28,11 +28,12 @@ def run(program, tmp_path):
 SMALL = ("--size", "16x12", "--spp", "2")
 
 
-def test_a_scene_becomes_both_files_and_three_lines_are_said(run, tmp_path):
+def test_a_scene_becomes_both_files_and_its_lines_are_said(run, tmp_path):
     done = run("render", "box.spar", "-o", "a.exr", "-o", "a.png", *SMALL, "--threads", 1, "--seed", 3)
     assert done.returncode == 0 and done.stdout == ""
-    first, last = done.stderr.splitlines()  # the line between them is the bar, on a terminal only
+    first, kernels, last = done.stderr.splitlines()  # and before the last the bar, on a terminal only
     assert "16x12" in first and "a.exr" in first and "a.png" in first
+    assert kernels == "by beams, one path for all wavelengths, intensity, isotropic, sky alone"
     for word in ("Mpath/s", "2 samples", "dropped energy", "0 bad samples"):
         assert word in last
     assert (tmp_path / "a.png").read_bytes().startswith(b"\x89PNG")
@@ -96,6 +97,19 @@ def test_check_says_what_a_good_scene_holds(run):
     assert done.returncode == 0 and "1 gem" in done.stdout and done.stderr == ""
 
 
+def test_plan_gives_the_choice_of_render_with_its_reasons(run, tmp_path):
+    done = run("plan", "box.spar")
+    assert done.returncode == 0 and done.stderr == ""
+    subjects = [line.split()[0] for line in done.stdout.splitlines()]
+    assert subjects == "wavelengths polarisation crystals absorption objects surroundings lights engine".split()
+    assert "Stokes vectors" in run("plan", "--stokes", "box.spar").stdout
+    assert "asked for" in run("plan", "--engine", "rays", "box.spar").stdout.splitlines()[-1]
+    assert "found by Embree" in run("plan", "--full", "box.spar").stdout
+    assert run("plan", "bad.spar").returncode == 1
+    full = run("render", "box.spar", "-o", "full.exr", *SMALL, "--full")
+    assert full.returncode == 0 and "Stokes, isotropic, absorbing, Embree" in full.stderr
+
+
 @contextlib.contextmanager
 def ending(process):
     """No render outlives its test."""
@@ -147,11 +161,11 @@ def test_the_version_is_the_packages(run):
 
 def test_help_offers_every_command_and_nothing_that_does_not_exist(run):
     everything = run("--help").stdout
-    for command in ("render", "check", "format", "stone", "minerals"):
+    for command in ("render", "plan", "check", "format", "stone", "minerals"):
         assert command in everything
         shown = run(command, "--help")
         assert shown.returncode == 0 and len(shown.stdout) > 100
-    for later in ("analyse", "plan "):
+    for later in ("analyse ",):
         assert later not in everything + run("render", "--help").stdout
 
 

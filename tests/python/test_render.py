@@ -150,3 +150,13 @@ def test_ctrl_c_raises_keyboard_interrupt(calcite_box):
 def test_an_argument_that_makes_no_sense_is_named(calcite_box, change):
     with pytest.raises(ValueError, match=next(iter(change))):
         calcite_box.render(**({"size": (8, 8), "spp": 1, "progress": False} | change))
+
+
+def test_a_plan_says_how_a_scene_would_be_rendered(calcite_box):
+    plan = calcite_box.plan()
+    assert plan.choices["engine"] == "beams" and plan.choices["polarisation"] == "intensity"
+    assert "o and e" in plan.reasons["crystals"] and plan.warnings == []
+    assert calcite_box.plan(stokes=True).choices["polarisation"] == "Stokes vectors"
+    assert str(calcite_box.plan(engine="rays")).splitlines()[-1].split()[:2] == ["engine", "rays"]
+    full = calcite_box.render(**SMALL, full=True)
+    assert full.stokes is not None and np.mean(full.rgb) == pytest.approx(1, abs=0.05)

@@ -37,7 +37,7 @@ struct Recorder {
 inline Recorder recorded(const World& world, const Palette& palette, const Vec3& origin,
                          const Vec3& direction, int most_hits, double least_weight = 0) {
     Recorder recorder{most_hits, least_weight};
-    Walker<Recorder> walker(world, palette, false);
+    Walker<Recorder> walker(world, palette, needs_of(world.scene()), false);
     walker.walk(Branch::from_sensor(origin, direction, any_perpendicular(direction)), 589.3,
                 recorder);
     return recorder;

@@ -1,0 +1,80 @@
+// The scene is looked at once; every kernel is picked from what is found here.
+#include "render/needs.hpp"
+
+#include <algorithm>
+
+namespace icespar {
+namespace {
+
+/// With no more objects than this, asking all is cheaper than a tree (bench/).
+constexpr std::size_t few_objects = 4;
+
+StoneNeeds needs_of_stone(const Crystal& c, const Forced& forced) {
+    StoneNeeds n;
+    n.birefringent = c.birefringent();
+    n.active = c.active();
+    n.general = c.indices.size() == 3 || n.active || (forced.general && n.birefringent);
+    n.wavelengths = c.dispersive() || forced.wavelengths;
+    n.absorption = c.absorbs() || forced.absorption;
+    n.beams = !n.general && !c.absorbs();
+    return n;
+}
+
+std::string obstacle(const Scene& scene, const std::vector<StoneNeeds>& stones,
+                     const Forced& forced) {
+    if (stones.empty()) return "there is no stone in the scene";
+    if (scene.camera.kind == Camera::Kind::fisheye) return "the camera is a fisheye";
+    if (scene.camera.lens_radius > 0) return "the camera has a lens";
+    if (scene.camera.analyser) return "the camera has an analyser";
+    const auto any = [&](auto property) {
+        return std::any_of(stones.begin(), stones.end(), property);
+    };
+    if (any([](const StoneNeeds& s) { return s.beams; })) return {};
+    std::string why;
+    const auto add = [&](bool is, const char* what) {
+        if (is) why += (why.empty() ? "" : " or ") + std::string(what);
+    };
+    const auto absorbs = [](const Gem& g) { return g.crystal.absorbs(); };
+    add(std::any_of(scene.gems.begin(), scene.gems.end(), absorbs), "absorb");
+    add(any([](const StoneNeeds& s) { return s.active; }), "turn polarisation");
+    add(any([](const StoneNeeds& s) { return s.general && !s.active; }),
+        forced.general ? "are left to the general solver" : "are biaxial");
+    return "its stones " + why;
+}
+
+}  // namespace
+
+std::size_t bounded_objects(const Scene& scene) {
+    std::size_t count = scene.gems.size();
+    for (const Thing& thing : scene.things) {
+        const auto* mesh = std::get_if<MeshShape>(&thing.shape);
+        if (mesh)
+            count += mesh->mesh->triangles.size();
+        else if (!std::holds_alternative<PlaneShape>(thing.shape))
+            ++count;
+    }
+    return count;
+}
+
+Needs needs_of(const Scene& scene, bool stokes, Engine engine, const Forced& forced) {
+    Needs n;
+    n.forced = forced;
+    n.stokes = stokes || forced.stokes;
+    for (const Gem& gem : scene.gems) {
+        const StoneNeeds s = n.stones.emplace_back(needs_of_stone(gem.crystal, forced));
+        n.wavelengths |= s.wavelengths;
+        n.birefringent |= s.birefringent;
+        n.general |= s.general;
+        n.absorption |= s.absorption;
+    }
+    n.tree = bounded_objects(scene) > few_objects || forced.tree;
+    const Environment& sky = scene.environment;
+    n.surroundings = scene.gems.size() > 1 || !scene.things.empty() ||
+                     sky.state != Stokes{1, 0, 0, 0} || sky.pattern || !sky.formulas.empty() ||
+                     forced.surroundings;
+    n.obstacle = obstacle(scene, n.stones, forced);
+    n.engine = engine != Engine::rays && n.obstacle.empty() ? Engine::beams : Engine::rays;
+    return n;
+}
+
+}  // namespace icespar

@@ -1,0 +1,72 @@
+// What a scene asks of the renderer, read from it once: kernels leave out the rest.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scene/scene.hpp"
+
+namespace icespar {
+
+/// What follows light through stones: rays sample it, beams follow whole pixels (docs/method.md).
+/// automatic: beams where they apply. Both make the same picture, within their noise.
+enum class Engine { automatic, rays, beams };
+
+/// Parts of the full kernel to be used where a scene does not need them, to compare. The picture
+/// stays the same: to rounding, or, where samples fall elsewhere (wavelengths of beams,
+/// surroundings), within its noise.
+struct Forced {
+    bool wavelengths = false;   ///< as if every stone treated them differently
+    bool stokes = false;        ///< all four components
+    bool general = false;       ///< uniaxial stones by the solver for any crystal
+    bool absorption = false;    ///< asked of clear stones
+    bool tree = false;          ///< Embree, for however few objects
+    bool surroundings = false;  ///< what leaves a lonely stone is looked up ray by ray
+
+    [[nodiscard]] static Forced everything() { return {true, true, true, true, true, true}; }
+};
+
+struct StoneNeeds {
+    bool beams = false;         ///< beams can follow light through it
+    bool birefringent = false;  ///< o and e, or fast and slow
+    bool general = false;       ///< its waves are beyond the closed forms: biaxial or active
+    bool active = false;
+    bool wavelengths = false;  ///< it treats them differently
+    bool absorption = false;
+};
+
+struct Needs {
+    std::vector<StoneNeeds> stones;
+    bool wavelengths = false, birefringent = false, general = false,
+         absorption = false;  ///< of any
+    bool stokes = false;
+    bool tree = false;  ///< so many objects that Embree finds them sooner
+    bool surroundings =
+        false;  ///< light that leaves a stone meets more than a smooth sky and lamps
+    Engine engine = Engine::rays;
+    std::string obstacle;  ///< why beams cannot make the picture; empty when they can
+    Forced forced;
+};
+
+/// `engine` is the wish; beams that were wished for are not chosen where there is an obstacle.
+[[nodiscard]] Needs needs_of(const Scene& scene, bool stokes = false,
+                             Engine engine = Engine::automatic, const Forced& forced = {});
+
+/// Gems, triangles and things other than planes: what a tree would hold.
+[[nodiscard]] std::size_t bounded_objects(const Scene& scene);
+
+/// One line of a plan: "crystals", "uniaxial", "both waves of the stone at line 12 are followed".
+struct PlanLine {
+    std::string subject, choice, reason;
+};
+
+/// What was chosen and why, the engine last.
+[[nodiscard]] std::vector<PlanLine> plan(const Scene& scene, const Needs& needs);
+/// What the user should know: what converges slowly, and what is left out.
+[[nodiscard]] std::vector<std::string> plan_warnings(const Scene& scene);
+/// The lines in columns, then the warnings.
+[[nodiscard]] std::string plan_text(const Scene& scene, const Needs& needs);
+/// The choice in a few words: "beams, spectral, intensity, uniaxial".
+[[nodiscard]] std::string plan_summary(const Needs& needs);
+
+}  // namespace icespar
