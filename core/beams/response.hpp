@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "interface/interface.hpp"
 #include "math/vec3.hpp"
 #include "polarisation/stokes.hpp"
 
@@ -11,6 +12,15 @@ namespace icespar {
 
 /// Amplitudes that a face turns s and p into: [outgoing s or p][incident s or p].
 using Transfer = std::array<std::array<Complex, 2>, 2>;
+
+/// What a face does to the s and p that come from an isotropic medium.
+[[nodiscard]] inline Transfer transfer(const Interface& face, bool transmitted) {
+    Transfer out;
+    for (std::size_t i = 0; i < 2; ++i) {
+        for (std::size_t m = 0; m < 2; ++m) out[i][m] = face.flux_amplitude(m, transmitted, i);
+    }
+    return out;
+}
 
 /// For pictures of the polarisation: what unit waves launched from the sensor with polarisations x
 /// and y have become, as in a Branch.
@@ -125,6 +135,23 @@ struct IntensityResponse {
     [[nodiscard]] static Single entering(const Pair& r, const Complex& s, const Complex& p) {
         return {std::norm(s) * r.ss + std::norm(p) * r.pp + 2 * (s * std::conj(p) * r.sp).real()};
     }
+};
+
+/// Light without polarisation: s and p averaged anew at every face, as programs do that know
+/// intensities alone. For comparison with them, in isotropic stones.
+struct AveragedResponse {
+    static constexpr bool stokes = false;
+
+    struct Pair {
+        double whole = 1;
+
+        [[nodiscard]] double power() const { return whole; }
+        [[nodiscard]] Stokes unpolarised() const { return {whole, 0, 0, 0}; }
+        [[nodiscard]] Pair turned(double, double) const { return *this; }
+        [[nodiscard]] Pair times(const Complex& s, const Complex& p) const {
+            return {0.5 * (std::norm(s) + std::norm(p)) * whole};
+        }
+    };
 };
 
 }  // namespace icespar

@@ -6,6 +6,7 @@
 
 #include "beams/expansion.hpp"
 #include "beams/facet_search.hpp"
+#include "beams/fresnel.hpp"
 #include "beams/response.hpp"
 #include "interface/interface.hpp"
 
@@ -272,42 +273,19 @@ private:
         }
     }
 
-    /// s of a face and the response on it. At normal incidence any s will do.
-    [[nodiscard]] static Pair on_face(const Pair& response, const Expansion& k, double n,
-                                      const Vec3& normal, Vec3& s) {
-        constexpr double straight = 1e-24;
-        const Vec3 across = cross(normal, k.value);
-        const double size2 = dot(across, across);
-        if (!(size2 > straight * n * n)) return response;
-        const Vec3 turned = across / std::sqrt(size2);
-        // s was across k before k turned to a new centroid.
-        const double c = dot(turned, s), d = dot(turned, cross(k.value, s)) / n;
-        const double whole = 1 / std::sqrt(c * c + d * d);
-        const Pair out = response.turned(whole * c, whole * d);
-        s = turned;
-        return out;
-    }
-
-    /// Fresnel (1823), from inside. The phase common to s and p is left out.
+    /// From inside.
     template <class Sink>
     void meet_isotropic(const Vec3& normal, Sink& sink) {
-        const double n = medium_.n_o, eps = eps_o_;
+        const double n = medium_.n_o;
         const Expansion k = beam_.k;
-        const Pair incident = on_face(beam_.response, k, n, normal, beam_.s);
-        const double q = dot(normal, k.value), q_out2 = q * q + (1 - n) * (1 + n);
-        if (q_out2 > 0) {
-            const double q_out = std::sqrt(q_out2);
-            const double r_s = (q - q_out) / (q + q_out);
-            const double r_p = (q - eps * q_out) / (q + eps * q_out);
-            const Vec3 out = k.value + (q_out - q) * normal;
-            leave(matched(k, normal, out, out), beam_.s,
-                  incident.times(std::sqrt(1 - r_s * r_s), std::sqrt(1 - r_p * r_p)), sink);
-            beam_.response = incident.times(r_s, r_p);
-        } else {
-            const double decay = std::sqrt(-q_out2);
-            const Complex z{q * q + eps * decay * decay, (eps - 1) * q * decay};
-            beam_.response = incident.times(z * z / std::norm(z), 1);
+        const Pair incident = on_face(beam_.response, k.value, n, normal, beam_.s);
+        const double q = dot(normal, k.value);
+        const Fresnel face = fresnel(n, 1, q);
+        if (face.passes) {
+            const Vec3 out = k.value + (face.q - q) * normal;
+            leave(matched(k, normal, out, out), beam_.s, incident.times(face.t_s, face.t_p), sink);
         }
+        beam_.response = incident.times(face.r_s, face.r_p);
         const auto mirrored = [&](const Vec3& v) { return v - (2 * dot(normal, v)) * normal; };
         beam_.k = {mirrored(k.value), mirrored(k.dx), mirrored(k.dy)};
         send(sink);
@@ -391,7 +369,7 @@ private:
             const Vec3& turned = face.s_direction();
             const Pair arriving = launched.turned(dot(turned, s), dot(turned, cross(k.value, s)));
             // From an isotropic medium both polarisations couple to both reflected ones.
-            leave(back, turned, reflected(face, arriving), sink);
+            leave(back, turned, arriving.through(transfer(face, false)), sink);
             send_modes(
                 face, true, k, normal,
                 [&](std::size_t i) {
@@ -400,23 +378,16 @@ private:
                 },
                 sink);
         } else {
-            const double eps = eps_o_;
-            const Pair arriving = on_face(launched, k, 1, normal, s);
-            const double q = dot(normal, k.value), q_in = std::sqrt(q * q + eps - 1);
-            const double r_s = (q - q_in) / (q + q_in), r_p = (eps * q - q_in) / (eps * q + q_in);
-            leave(back, s, arriving.times(r_s, r_p), sink);
-            const Vec3 in = k.value + (q_in - q) * normal;
+            const Pair arriving = on_face(launched, k.value, 1, normal, s);
+            const double q = dot(normal, k.value);
+            const Fresnel through = fresnel(1, medium_.n_o, q);
+            leave(back, s, arriving.times(through.r_s, through.r_p), sink);
+            const Vec3 in = k.value + (through.q - q) * normal;
             beam_.k = matched(k, normal, in, in);
             beam_.s = s;
-            beam_.response = arriving.times(std::sqrt(1 - r_s * r_s), std::sqrt(1 - r_p * r_p));
+            beam_.response = arriving.times(through.t_s, through.t_p);
             send(sink);
         }
-    }
-
-    [[nodiscard]] static Pair reflected(const Interface& face, const Pair& arriving) {
-        return arriving.through(
-            {{{face.flux_amplitude(0, false, 0), face.flux_amplitude(1, false, 0)},
-              {face.flux_amplitude(0, false, 1), face.flux_amplitude(1, false, 1)}}});
     }
 
     const FacetSearch& facets_;

@@ -38,5 +38,6 @@ void bind_design(py::module_& module);
 void bind_stone(py::module_& module);
 void bind_scene(py::module_& module);
 void bind_image(py::module_& module);
+void bind_view(py::module_& module);
 
 }  // namespace icespar::python

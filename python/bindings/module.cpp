@@ -74,4 +74,5 @@ PYBIND11_MODULE(_core, module) {
     icespar::python::bind_design(module);
     icespar::python::bind_image(module);
     icespar::python::bind_scene(module);
+    icespar::python::bind_view(module);
 }

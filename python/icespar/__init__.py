@@ -8,6 +8,7 @@
 The physics of a single face is `interface`, with `Medium` and its `modes`; the algebra of Stokes vectors,
 Mueller and Jones matrices is the module `polarisation`; stones by themselves are `Stone`,
 faceting designs `Design` with `cutting_table`, `proportions` and the drawings of `icespar.diagram`;
+what stones return of the light to a viewer is `view`;
 what a stone may be made of is `minerals`. Lengths are millimetres, wavelengths nanometres of vacuum; angles
 are degrees in scenes and radians elsewhere.
 Scenes have the left-handed world of the scene language; `interface` and `Stone` are right-handed.
@@ -32,6 +33,7 @@ from .image import Image
 from .minerals import mineral, minerals
 from .optics import Incident, Interface, Modes, Outgoing, interface
 from .scene import Plan, Scene, SceneError, SceneWarning, load
+from .views import LightReturn, View, view
 
 __all__ = [
     "Design",
@@ -41,6 +43,7 @@ __all__ = [
     "Incident",
     "IndexFunction",
     "Interface",
+    "LightReturn",
     "Medium",
     "Mineral",
     "Modes",
@@ -54,6 +57,7 @@ __all__ = [
     "SceneWarning",
     "Stone",
     "Tier",
+    "View",
     "__version__",
     "cutting_table",
     "interface",
@@ -62,4 +66,5 @@ __all__ = [
     "minerals",
     "polarisation",
     "proportions",
+    "view",
 ]

@@ -1,0 +1,67 @@
+// Beams in the order of their weights, to within a fifth: one stack for each class of weights.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <vector>
+
+#include "beams/polygon.hpp"
+
+namespace icespar {
+
+/// Weights lie in (0, 1] and those that are pushed never exceed the last one popped, but for
+/// rounding.
+template <class Beam>
+class BeamQueue {
+public:
+    /// `beam.corners` is set.
+    void push(Beam& beam, double weight, PolygonView polygon) {
+        Class& c = classes_[std::max(number(weight), first_)];
+        beam.corners = static_cast<int>(polygon.size());
+        c.beams.push_back(beam);
+        c.corners.insert(c.corners.end(), polygon.begin(), polygon.end());
+    }
+
+    /// False when there is none left.
+    bool pop(Beam& beam, Polygon& polygon) {
+        while (classes_[first_].beams.empty()) {
+            if (++first_ == classes_.size()) {
+                --first_;
+                return false;
+            }
+            classes_[first_ - 1] = {};
+        }
+        Class& c = classes_[first_];
+        beam = c.beams.back();
+        c.beams.pop_back();
+        polygon.assign(c.corners.end() - beam.corners, c.corners.end());
+        c.corners.resize(c.corners.size() - static_cast<std::size_t>(beam.corners));
+        return true;
+    }
+
+    template <class Visit>
+    void each(Visit&& visit) const {
+        for (const Class& c : classes_) {
+            for (const Beam& b : c.beams) visit(b);
+        }
+    }
+
+private:
+    struct Class {
+        std::vector<Beam> beams;
+        Polygon corners;
+    };
+    /// By exponent and the first two bits behind it: four classes an octave.
+    static std::size_t number(double weight) {
+        constexpr std::uint64_t one = std::bit_cast<std::uint64_t>(1.0) >> 50;
+        const std::uint64_t w = std::bit_cast<std::uint64_t>(weight) >> 50;
+        return static_cast<std::size_t>(w >= one ? 0 : std::min<std::uint64_t>(one - w, 255));
+    }
+
+    std::array<Class, 256> classes_;
+    std::size_t first_ = 0;
+};
+
+}  // namespace icespar

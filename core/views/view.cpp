@@ -1,0 +1,63 @@
+// Which tracer a view needs.
+#include "views/view.hpp"
+
+#include "math/error.hpp"
+#include "views/view_tracer.hpp"
+
+namespace icespar {
+namespace {
+
+void check(const Medium& medium, const ParallelView& view, const ViewOptions& options) {
+    if (!is_finite(view.direction) || !is_finite(view.up) ||
+        !(length(cross(view.direction, view.up)) > 0)) {
+        throw Error("a view needs a direction and an up that is not along it");
+    }
+    if (!(options.bound >= 0)) throw Error("bound must be 0 or more");
+    if (!(options.seconds >= 0)) throw Error("the time must be 0 (no limit) or more");
+    if (options.max_hits < 0) throw Error("max_hits must be 0 (no limit) or more");
+    if (!(options.least_power >= 0)) throw Error("least_power must be 0 or more");
+    if (options.bound == 0 && options.max_beams == 0 && options.seconds == 0 &&
+        options.max_hits == 0) {
+        throw Error("a view needs an end: give a bound, max_beams, a time or max_hits");
+    }
+    if (medium.absorbing) throw Error("views know transparent media; give real indices");
+    if (medium.active()) throw Error("views do not know optical activity; leave the rotation out");
+    if (medium.birefringent && options.weights == Weights::averaged) {
+        throw Error("a birefringent stone has no averaged light; ask for intensity or stokes");
+    }
+    if (medium.n_o < 1 && !medium.birefringent) {
+        throw Error("views need a stone of index 1 or more");
+    }
+}
+
+}  // namespace
+
+Exits trace_view(const Stone& stone, const Medium& medium, const ParallelView& view,
+                 const ViewOptions& options) {
+    check(medium, view, options);
+    PictureFrame frame;
+    frame.direction = normalised(view.direction);
+    frame.right = normalised(cross(frame.direction, view.up));
+    frame.up = cross(frame.right, frame.direction);
+    Exits out;
+    const auto run = [&]<class Response, bool crystal>() {
+        ViewTracer<Response, crystal>(stone, medium, frame, options, out).run();
+    };
+    const bool stokes = options.weights == Weights::stokes;
+    if (medium.birefringent) {
+        if (stokes) {
+            run.operator()<FullResponse, true>();
+        } else {
+            run.operator()<IntensityResponse, true>();
+        }
+    } else if (stokes) {
+        run.operator()<FullResponse, false>();
+    } else if (options.weights == Weights::averaged) {
+        run.operator()<AveragedResponse, false>();
+    } else {
+        run.operator()<IntensityResponse, false>();
+    }
+    return out;
+}
+
+}  // namespace icespar

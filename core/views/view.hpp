@@ -1,0 +1,77 @@
+// A stone in a parallel view, by exact beams: where all the light that it sends to the viewer came
+// from, and how much is not known.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "beams/polygon.hpp"
+#include "crystal/medium.hpp"
+#include "math/vec3.hpp"
+#include "polarisation/stokes.hpp"
+#include "stone/stone.hpp"
+
+namespace icespar {
+
+/// Lines of sight go along `direction`; `up` is up in the picture. Neither need be of unit length,
+/// nor perpendicular to the other.
+struct ParallelView {
+    Vec3 direction{0, 0, -1}, up{0, 1, 0};
+};
+
+/// What is carried along a beam. Averaged: s and p are averaged at every face, as programs do that
+/// know no polarisation; isotropic stones only.
+enum class Weights { intensity, stokes, averaged };
+
+struct ViewOptions {
+    Weights weights = Weights::intensity;
+    /// Tracing ends when no more than this part of all light is left untraced.
+    double bound = 1e-3;
+    /// Or when so many beams were followed to their next facets; 0: no bound of this kind.
+    std::uint64_t max_beams = 2'000'000;
+    double seconds = 0;  ///< or after this time; 0: no bound of this kind
+    int max_hits = 0;    ///< interface events of a path, the entry being the first; 0: any number
+    double least_power = 0;  ///< fainter light is not followed on from a face where part of it left
+    bool outlines = false;   ///< keep the polygons too
+    /// Asked now and then; tracing ends when it says false. It must not throw.
+    std::function<bool()> go_on{};
+};
+
+/// Picture coordinates of p: dot(p - centre, right) and dot(p - centre, up).
+struct PictureFrame {
+    Vec3 centre, right, up, direction;  ///< axes are unit and perpendicular; right = direction x up
+};
+
+/// Beams of light that leave the stone: all of one in one direction, at one weight.
+struct Exits {
+    PictureFrame frame;
+    std::vector<Vec3> direction;  ///< unit, away from the stone, against the light
+    std::vector<Stokes> weight;   ///< what the viewer sees of unpolarised radiance 1 from there
+    std::vector<double> area;     ///< in the picture, in the stone's units of length squared
+    std::vector<std::int32_t> entry, facet;  ///< where it meets the stone, and where it leaves it
+    std::vector<std::int32_t> hits;          ///< interface events, both included
+
+    /// In the picture, if they were asked for: beam i has corners outline[i] to outline[i + 1].
+    std::vector<std::size_t> outline;
+    Polygon corners;
+
+    /// By facet of the stone, for what enters there: its area in the picture, and weight times area
+    /// of what was not followed, and of what `max_hits` and `least_power` ended.
+    std::vector<double> entry_area, entry_untraced, entry_cut;
+    double area_total = 0, untraced = 0, cut = 0;  ///< their sums
+    std::uint64_t beams = 0;                       ///< followed from one facet to the next ones
+    /// Area that rounding lost between facets (its light counts as untraced) or gave twice.
+    double gaps = 0;
+
+    [[nodiscard]] std::size_t size() const { return area.size(); }
+};
+
+/// Best first by weight times area, so that what is untraced is small soon. The result does not
+/// depend on anything but the arguments, unless a time is given. Throws Error for a view without
+/// direction, options out of range, and media that absorb, turn polarisation or, where s and p are
+/// averaged, are birefringent.
+[[nodiscard]] Exits trace_view(const Stone& stone, const Medium& medium, const ParallelView& view,
+                               const ViewOptions& options = {});
+
+}  // namespace icespar

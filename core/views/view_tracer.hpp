@@ -1,0 +1,263 @@
+// Beams from whole facets through one stone, heaviest first.
+#pragma once
+
+#include <chrono>
+#include <cmath>
+#include <type_traits>
+
+#include "beams/fresnel.hpp"
+#include "beams/response.hpp"
+#include "interface/interface.hpp"
+#include "views/beam_queue.hpp"
+#include "views/facet_cells.hpp"
+#include "views/view.hpp"
+
+namespace icespar {
+
+/// With parallel light every path through plane facets keeps one wave vector and one response over
+/// the whole polygon that takes it, and its places are linear in picture coordinates: nothing is
+/// approximated.
+template <class Response, bool crystal>
+class ViewTracer {
+public:
+    ViewTracer(const Stone& stone, const Medium& medium, const PictureFrame& frame,
+               const ViewOptions& options, Exits& out)
+        : stone_(stone),
+          cells_(stone),
+          air_(Medium::isotropic(1)),
+          medium_(medium),
+          modes_(modes_of(medium)),
+          frame_(frame),
+          options_(options),
+          out_(out) {}
+
+    void run() {
+        frame_.centre = cells_.facets().centre();
+        out_.frame = frame_;
+        if (options_.outlines) out_.outline.assign(1, 0);
+        out_.entry_area.assign(stone_.facets.size(), 0);
+        out_.entry_untraced = out_.entry_cut = out_.entry_area;
+        measure();
+        for (std::size_t i = 0; i < stone_.facets.size(); ++i) {
+            if (out_.entry_area[i] > 0) enter(static_cast<int>(i));
+        }
+        const double bound = options_.bound * out_.area_total;
+        while (waiting_ > bound && may_go_on() && queue_.pop(beam_, polygon_)) {
+            waiting_ -= beam_.area * beam_.response.power();
+            ++out_.beams;
+            advance();
+        }
+        queue_.each([&](const Beam& b) { give_up(b.entry, b.area * b.response.power()); });
+    }
+
+private:
+    using Pair = typename Response::Pair;
+    template <class R, bool>
+    struct Carried {
+        using type = typename R::Pair;
+    };
+    template <class R>
+    struct Carried<R, true> {
+        using type = typename R::Single;
+    };
+
+    struct Beam {
+        BeamPlace place;
+        Vec3 k;
+        Vec3 s;  ///< a crystal's mode: its E
+        typename Carried<Response, crystal>::type response;
+        double area;
+        int entry, left, hits, corners;
+        int mode;
+    };
+
+    [[nodiscard]] bool may_go_on() const {
+        if (options_.max_beams > 0 && out_.beams >= options_.max_beams) return false;
+        constexpr unsigned beams_between_looks = 1024;
+        if (out_.beams % beams_between_looks != 0) return true;
+        if (options_.go_on && !options_.go_on()) return false;
+        const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start_;
+        return options_.seconds == 0 || spent.count() < options_.seconds;
+    }
+
+    /// The outline of a facet in the picture.
+    void project(const Facet& facet) {
+        polygon_.clear();
+        for (const std::uint32_t c : facet.corners) {
+            const Vec3 p = stone_.vertices[c] - frame_.centre;
+            polygon_.push_back({dot(p, frame_.right), dot(p, frame_.up)});
+        }
+    }
+
+    void measure() {
+        for (std::size_t i = 0; i < stone_.facets.size(); ++i) {
+            if (!(dot(stone_.facets[i].normal, frame_.direction) < 0)) continue;
+            project(stone_.facets[i]);
+            out_.entry_area[i] = std::max(0.0, extent(polygon_).area);
+            out_.area_total += out_.entry_area[i];
+        }
+    }
+
+    void enter(int facet) {
+        const Vec3 &k = frame_.direction, &right = frame_.right, &up = frame_.up;
+        const auto i = static_cast<std::size_t>(facet);
+        project(stone_.facets[i]);
+        const Vec3 outside = cells_.facets().normal(facet), normal = -outside;
+        const double slowness = 1 / dot(outside, k);
+        beam_ = Beam{};
+        beam_.place = BeamPlace{{}, right, up}.moved(
+            {cells_.facets().distance(facet) * slowness, -dot(outside, right) * slowness,
+             -dot(outside, up) * slowness},
+            k);
+        beam_.area = out_.entry_area[i];
+        beam_.entry = beam_.left = facet;
+        beam_.hits = 1;
+        // Launched with x along s and y = x cross k, which is -p.
+        const Pair launched = Pair{}.times(1, -1);
+        const Vec3 back = k - (2 * dot(normal, k)) * normal;
+        Vec3 s = right;
+        if constexpr (crystal) {
+            Wave incident = plane_wave(air_, Mode::s, k, By::wave_normal, normal);
+            const Interface face(air_, medium_, normal, incident);
+            s = face.s_direction();
+            const Pair arriving = launched.turned(dot(s, right), dot(s, cross(k, right)));
+            leave(back, arriving.through(transfer(face, false)));
+            send_modes(face, true, false, [&](std::size_t m) {
+                return Response::entering(arriving, face.flux_amplitude(0, true, m),
+                                          face.flux_amplitude(1, true, m));
+            });
+        } else {
+            const Pair arriving = on_face(launched, k, 1, normal, s);
+            const double q = dot(normal, k);
+            const Fresnel through = fresnel(1, medium_.n_o, q);
+            leave(back, arriving.times(through.r_s, through.r_p));
+            beam_.k = k + (through.q - q) * normal;
+            beam_.s = s;
+            beam_.response = arriving.times(through.t_s, through.t_p);
+            send(false);
+        }
+    }
+
+    /// The direction of energy, not normalised.
+    [[nodiscard]] Vec3 flow() const {
+        if constexpr (crystal) {
+            return beam_.k - dot(beam_.s, beam_.k) * beam_.s;
+        } else {
+            return beam_.k;
+        }
+    }
+
+    void advance() {
+        const Beam before = beam_;
+        const Vec3 along = flow();
+        double met = 0;
+        for (const FacetCells::Piece& piece :
+             cells_.divide(before.place, along, before.left, polygon_, extent(polygon_).centroid)) {
+            const double area = extent(piece.polygon).area;
+            if (!(area > 0)) continue;
+            met += area;
+            beam_ = before;
+            beam_.area = area;
+            beam_.place = before.place.moved(piece.distance, along);
+            beam_.left = piece.facet;
+            ++beam_.hits;
+            piece_ = piece.polygon;
+            meet(cells_.facets().normal(piece.facet));
+        }
+        const double gap = std::abs(before.area - met);
+        out_.gaps += gap;
+        give_up(before.entry, gap * before.response.power());
+    }
+
+    void meet(const Vec3& normal) {
+        const Vec3 k = beam_.k;
+        if constexpr (crystal) {
+            Wave incident;
+            incident.mode = modes_[static_cast<std::size_t>(beam_.mode)];
+            incident.k = complexified(k);
+            incident.E = complexified(beam_.s);
+            incident.H = complexified(cross(k, beam_.s));
+            incident.n_phase = length(k);
+            const Interface face(medium_, air_, normal, incident);
+            const auto m = static_cast<std::size_t>(beam_.mode);
+            const auto before = beam_.response;
+            if (face.propagating(true, 0)) {
+                leave(face.wave_vector(true, 0), before.leaving(face.flux_amplitude(m, true, 0),
+                                                                face.flux_amplitude(m, true, 1)));
+            }
+            send_modes(face, false, face.propagating(true, 0), [&](std::size_t i) {
+                return before.times(face.flux_amplitude(m, false, i));
+            });
+        } else {
+            const double n = medium_.n_o, q = dot(normal, k);
+            const Pair incident = on_face(beam_.response, k, n, normal, beam_.s);
+            const Fresnel face = fresnel(n, 1, q);
+            if (face.passes) {
+                leave(k + (face.q - q) * normal, incident.times(face.t_s, face.t_p));
+            }
+            beam_.response = incident.times(face.r_s, face.r_p);
+            beam_.k = k - (2 * q) * normal;
+            send(face.passes);
+        }
+    }
+
+    template <class Coupled>
+    void send_modes(const Interface& face, bool transmitted, bool thinned, const Coupled& coupled) {
+        for (std::size_t i = 0; i < 2; ++i) {
+            if (!face.propagating(transmitted, i)) continue;
+            beam_.mode = static_cast<int>(i);
+            beam_.response = coupled(i);
+            beam_.k = face.wave_vector(transmitted, i);
+            beam_.s = face.field_direction(transmitted, i);
+            send(thinned);
+        }
+    }
+
+    /// Goes on from a face, where part of the light may have left, with what is in beam_.
+    void send(bool thinned) {
+        const double power = beam_.response.power(), weight = beam_.area * power;
+        if (!(weight > 0)) return;
+        const bool ends = options_.max_hits > 0 && beam_.hits >= options_.max_hits;
+        if (ends || (thinned && power < options_.least_power)) return cut(weight);
+        waiting_ += weight;
+        queue_.push(beam_, weight / out_.area_total,
+                    beam_.hits == 1 ? PolygonView(polygon_) : PolygonView(piece_));
+    }
+
+    void leave(const Vec3& k, const Pair& response) {
+        out_.direction.push_back(normalised(k));
+        out_.weight.push_back(response.unpolarised());
+        out_.area.push_back(beam_.area);
+        out_.entry.push_back(beam_.entry);
+        out_.facet.push_back(beam_.left);
+        out_.hits.push_back(beam_.hits);
+        if (!options_.outlines) return;
+        const Polygon& polygon = beam_.hits == 1 ? polygon_ : piece_;
+        out_.corners.insert(out_.corners.end(), polygon.begin(), polygon.end());
+        out_.outline.push_back(out_.corners.size());
+    }
+
+    void give_up(int entry, double weight) {
+        out_.entry_untraced[static_cast<std::size_t>(entry)] += weight;
+        out_.untraced += weight;
+    }
+    void cut(double weight) {
+        out_.entry_cut[static_cast<std::size_t>(beam_.entry)] += weight;
+        out_.cut += weight;
+    }
+
+    const Stone& stone_;
+    FacetCells cells_;
+    Medium air_, medium_;
+    std::array<Mode, 2> modes_;
+    PictureFrame frame_;
+    ViewOptions options_;
+    Exits& out_;
+    BeamQueue<Beam> queue_;
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    double waiting_ = 0;  ///< weight times area of what is in the queue
+    Beam beam_{};
+    Polygon polygon_, piece_;
+};
+
+}  // namespace icespar

@@ -1,0 +1,109 @@
+// Parallel views of stones: exits as arrays without a copy, and light return.
+#include "views/view.hpp"
+
+#include <pybind11/stl.h>
+
+#include <optional>
+
+#include "bindings.hpp"
+#include "views/light_return.hpp"
+
+namespace icespar::python {
+
+namespace {
+
+using namespace py::literals;
+
+Exits traced(const Stone& stone, const Medium& medium, const py::object& direction,
+             const py::object& up, ViewOptions options) {
+    const ParallelView view{vector(direction, "direction"), vector(up, "up")};
+    bool raised = false;
+    options.go_on = [&] {
+        const py::gil_scoped_acquire locked;
+        raised = PyErr_CheckSignals() != 0;
+        return !raised;
+    };
+    Exits exits;
+    {
+        const py::gil_scoped_release unlocked;
+        exits = trace_view(stone, medium, view, options);
+    }
+    if (raised) throw py::error_already_set();
+    return exits;
+}
+
+/// A read-only array over numbers that `owner` keeps.
+template <class T>
+py::array over(const T* first, std::vector<py::ssize_t> shape, std::vector<py::ssize_t> strides,
+               const py::object& owner) {
+    py::array_t<T> array(std::move(shape), std::move(strides), first, owner);
+    array.attr("setflags")("write"_a = false);
+    return array;
+}
+
+template <class T>
+auto column(std::vector<T> Exits::*member) {
+    return [member](const py::object& self) {
+        const auto& values = self.cast<const Exits&>().*member;
+        return over(values.data(), {static_cast<py::ssize_t>(values.size())}, {sizeof(T)}, self);
+    };
+}
+
+py::array direction_of(const py::object& self) {
+    const auto& d = self.cast<const Exits&>().direction;
+    return over(d.empty() ? nullptr : &d[0].x, {static_cast<py::ssize_t>(d.size()), 3},
+                {sizeof(Vec3), sizeof(double)}, self);
+}
+
+py::array weight_of(const py::object& self) {
+    const auto& w = self.cast<const Exits&>().weight;
+    return over(w.empty() ? nullptr : &w[0].s0, {static_cast<py::ssize_t>(w.size()), 4},
+                {sizeof(Stokes), sizeof(double)}, self);
+}
+
+py::tuple returned(const Exits& exits, Dome dome, const py::object& zenith, double head,
+                   std::optional<int> facet) {
+    const DomeLight light{dome, normalised(vector(zenith, "zenith")), head};
+    const LightReturn out = light_return(exits, light, facet);
+    return py::make_tuple(out.value, out.bound);
+}
+
+}  // namespace
+
+void bind_view(py::module_& module) {
+    py::enum_<Weights>(module, "Weights")
+        .value("intensity", Weights::intensity)
+        .value("stokes", Weights::stokes)
+        .value("averaged", Weights::averaged);
+    py::enum_<Dome>(module, "Dome")
+        .value("iso", Dome::iso)
+        .value("cosine", Dome::cosine)
+        .value("sc2", Dome::sc2);
+    py::class_<Exits>(module, "Exits")
+        .def_property_readonly("direction", &direction_of)
+        .def_property_readonly("weight", &weight_of)
+        .def_property_readonly("area", column(&Exits::area))
+        .def_property_readonly("entry", column(&Exits::entry))
+        .def_property_readonly("facet", column(&Exits::facet))
+        .def_property_readonly("hits", column(&Exits::hits))
+        .def_property_readonly("entry_area", column(&Exits::entry_area))
+        .def_property_readonly("entry_untraced", column(&Exits::entry_untraced))
+        .def_readonly("area_total", &Exits::area_total)
+        .def_readonly("untraced", &Exits::untraced)
+        .def_readonly("cut", &Exits::cut)
+        .def_readonly("beams", &Exits::beams);
+    module.def(
+        "trace_view",
+        [](const Stone& stone, const Medium& medium, const py::object& direction,
+           const py::object& up, Weights weights, double bound, std::uint64_t max_beams,
+           double seconds, int max_hits, double least_power) {
+            return traced(stone, medium, direction, up,
+                          {weights, bound, max_beams, seconds, max_hits, least_power, false, {}});
+        },
+        "stone"_a, "medium"_a, py::kw_only(), "direction"_a, "up"_a, "weights"_a, "bound"_a,
+        "max_beams"_a, "seconds"_a, "max_hits"_a, "least_power"_a);
+    module.def("light_return", &returned, "exits"_a, "dome"_a, "zenith"_a, "head"_a, "facet"_a);
+    module.def("table_facet", &table_facet, "stone"_a);
+}
+
+}  // namespace icespar::python

@@ -1,0 +1,80 @@
+"""Exact beams in parallel views from Python."""
+
+import math
+
+import icespar
+import numpy as np
+import pytest
+
+
+@pytest.fixture(scope="module")
+def brilliant(root):
+    return icespar.Stone.from_design(root / "scenes/designs/srb_tolkowsky_diamond.asc")
+
+
+def test_all_light_is_traced_or_untraced(brilliant):
+    view = icespar.view(brilliant, icespar.Medium.isotropic(2.42), bound=0.01)
+    total = (view.weight * view.area).sum() / view.area_total + view.untraced
+    assert total == pytest.approx(1, abs=1e-12)
+    assert view.untraced <= 0.01
+    assert view.direction.shape == (view.area.size, 3)
+    assert np.allclose(np.linalg.norm(view.direction, axis=1), 1)
+    assert view.facet_area.sum() == pytest.approx(view.area_total)
+    assert not view.direction.flags.writeable
+
+
+def test_arrays_outlive_their_view(brilliant):
+    area = icespar.view(brilliant, "quartz", bound=0.1).area
+    assert np.isfinite(area.copy()).all() and (area > 0).all()
+
+
+def test_a_light_may_be_a_function(brilliant):
+    view = icespar.view(brilliant, "zircon", axis=(0, 0, 1), bound=0.02)
+    limit = math.cos(math.radians(10))
+    own = view.light_return(lambda d: (d[:, 2] > 0) & (d[:, 2] < limit))
+    named = view.light_return("iso")
+    assert own.value == pytest.approx(named.value, abs=1e-9)
+    assert own.bound == pytest.approx(named.bound, abs=1e-12)
+    both = view.light_return("cosine", table=True), view.light_return(
+        lambda d: np.where(d[:, 2] < limit, np.maximum(d[:, 2], 0), 0), table=True
+    )
+    assert both[0].value == pytest.approx(both[1].value, abs=1e-9)
+    assert both[0].bound == pytest.approx(both[1].bound)
+
+
+def test_gemray_agrees(brilliant):
+    view = icespar.view(brilliant, icespar.Medium.isotropic(2.42), cutoff="gemray")
+    assert 100 * view.light_return("iso").value == pytest.approx(74.389, abs=0.15)
+    assert view.cut > 0.02
+
+
+def test_polarisation(brilliant):
+    medium = icespar.Medium.isotropic(2.42)
+    view = icespar.view(brilliant, medium, direction=(0.3, 0.1, -1), bound=0.02, stokes=True)
+    plain = icespar.view(brilliant, medium, direction=(0.3, 0.1, -1), bound=0.02)
+    assert view.weight.shape == (view.area.size, 4)
+    assert (np.linalg.norm(view.weight[:, 1:], axis=1) <= view.weight[:, 0] * (1 + 1e-12)).all()
+    assert view.light_return().value == pytest.approx(plain.light_return().value, abs=1e-12)
+
+
+def test_calls_that_cannot_be_carried_out(brilliant):
+    glass = icespar.Medium.isotropic(1.5)
+    view = icespar.view(brilliant, glass, bound=0.1)
+    for call in (
+        lambda: icespar.view(brilliant, "no such stone"),
+        lambda: icespar.view(brilliant, glass, axis=(0, 0, 1)),
+        lambda: icespar.view(brilliant, glass, cutoff="other"),
+        lambda: icespar.view(brilliant, glass, cutoff="gemray", stokes=True),
+        lambda: icespar.view(brilliant, glass, direction=(0, 1, 0)),
+        lambda: icespar.view(brilliant, glass, bound=-1),
+        lambda: icespar.view(brilliant, glass, bound=0, max_beams=0),
+        lambda: icespar.view(brilliant, "zircon", cutoff="gemray"),
+        lambda: view.light_return("moon"),
+        lambda: view.light_return(head_shadow=100),
+        lambda: view.light_return(lambda d: 1.0),
+        lambda: icespar.view(
+            icespar.Stone.from_points([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]), glass
+        ).light_return(table=True),
+    ):
+        with pytest.raises(icespar.Error):
+            call()
