@@ -22,9 +22,19 @@ double DomeLight::radiance(const Vec3& direction) const {
 
 LightReturn light_return(const Exits& exits, const DomeLight& light, std::optional<int> facet) {
     double sum = 0;
+    // Turns and mirrors about the line of sight do not change how high a beam stands above it.
+    const Vec3 across = cross(light.zenith, exits.frame.direction);
+    constexpr double rounding = 1e-15;
+    const bool axial = length(across) <= rounding;
     for (std::size_t i = 0; i < exits.size(); ++i) {
-        if (facet && exits.entry[i] != *facet) continue;
-        sum += exits.area[i] * exits.weight[i].s0 * light.radiance(exits.direction[i]);
+        double radiance = light.radiance(exits.direction[i]), sum_of_images = 0;
+        const auto entry = static_cast<std::size_t>(exits.entry[i]);
+        for (const PictureImage& image : exits.images) {
+            if (facet && image.facets[entry] != *facet) continue;
+            if (!axial) radiance = light.radiance(image.of(exits.direction[i], exits.frame));
+            sum_of_images += radiance;
+        }
+        sum += exits.area[i] * exits.weight[i].s0 * sum_of_images;
     }
     double area = exits.area_total, untraced = exits.untraced;
     if (facet) {

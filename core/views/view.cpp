@@ -1,6 +1,8 @@
 // Which tracer a view needs.
 #include "views/view.hpp"
 
+#include <algorithm>
+
 #include "math/error.hpp"
 #include "views/view_tracer.hpp"
 
@@ -31,6 +33,35 @@ void check(const Medium& medium, const ParallelView& view, const ViewOptions& op
 }
 
 }  // namespace
+
+Exits Exits::expanded() const {
+    Exits out = *this;
+    if (images.size() == 1) return out;
+    out.images.resize(1);
+    for (std::size_t g = 1; g < images.size(); ++g) {
+        const PictureImage& image = images[g];
+        const auto becomes = [&](std::int32_t i) {
+            return image.facets[static_cast<std::size_t>(i)];
+        };
+        for (std::size_t i = 0; i < size(); ++i) {
+            out.direction.push_back(image.of(direction[i], frame));
+            out.weight.push_back(image.of(weight[i]));
+            out.area.push_back(area[i]);
+            out.entry.push_back(becomes(entry[i]));
+            out.facet.push_back(becomes(facet[i]));
+            out.hits.push_back(hits[i]);
+            if (outline.empty()) continue;
+            const auto begin = static_cast<std::ptrdiff_t>(out.corners.size());
+            for (std::size_t c = outline[i]; c < outline[i + 1]; ++c) {
+                out.corners.push_back(image.of(corners[c]));
+            }
+            // Counter-clockwise, also in a mirror.
+            if (image.mirrors()) std::reverse(out.corners.begin() + begin, out.corners.end());
+            out.outline.push_back(out.corners.size());
+        }
+    }
+    return out;
+}
 
 Exits trace_view(const Stone& stone, const Medium& medium, const ParallelView& view,
                  const ViewOptions& options) {

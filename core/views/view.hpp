@@ -33,6 +33,7 @@ struct ViewOptions {
     double seconds = 0;  ///< or after this time; 0: no bound of this kind
     int max_hits = 0;    ///< interface events of a path, the entry being the first; 0: any number
     double least_power = 0;  ///< fainter light is not followed on from a face where part of it left
+    bool symmetry = true;    ///< trace once what images of one another would repeat
     bool outlines = false;   ///< keep the polygons too
     /// Asked now and then; tracing ends when it says false. It must not throw.
     std::function<bool()> go_on{};
@@ -43,8 +44,26 @@ struct PictureFrame {
     Vec3 centre, right, up, direction;  ///< axes are unit and perpendicular; right = direction x up
 };
 
-/// Beams of light that leave the stone: all of one in one direction, at one weight.
+/// A turn or mirror of the picture that leaves stone, crystal and view as they are. It maps p to
+/// centre + turned(p - centre); in space it keeps the line of sight.
+struct PictureImage {
+    Point2 centre;
+    Point2 right{1, 0}, up{0, 1};  ///< where picture-right and picture-up go
+    std::vector<int> facets;       ///< number of the facet that each facet becomes
+
+    [[nodiscard]] Point2 turned(const Point2& p) const { return p.x * right + p.y * up; }
+    [[nodiscard]] Point2 of(const Point2& p) const { return centre + turned(p - centre); }
+    [[nodiscard]] Vec3 of(const Vec3& direction, const PictureFrame& frame) const;
+    /// Of what the viewer sees, on picture axes.
+    [[nodiscard]] Stokes of(const Stokes& s) const;
+    [[nodiscard]] bool mirrors() const { return right.x * up.y - right.y * up.x < 0; }
+};
+
+/// Beams of light that leave the stone: all of one in one direction, at one weight. Where the view
+/// is symmetric each stands for one beam in every image.
 struct Exits {
+    std::vector<PictureImage> images;  ///< the identity first
+
     PictureFrame frame;
     std::vector<Vec3> direction;  ///< unit, away from the stone, against the light
     std::vector<Stokes> weight;   ///< what the viewer sees of unpolarised radiance 1 from there
@@ -65,6 +84,8 @@ struct Exits {
     double gaps = 0;
 
     [[nodiscard]] std::size_t size() const { return area.size(); }
+    /// The same with a beam for every image.
+    [[nodiscard]] Exits expanded() const;
 };
 
 /// Best first by weight times area, so that what is untraced is small soon. The result does not

@@ -10,6 +10,7 @@
 #include "interface/interface.hpp"
 #include "views/beam_queue.hpp"
 #include "views/facet_cells.hpp"
+#include "views/symmetry.hpp"
 #include "views/view.hpp"
 
 namespace icespar {
@@ -37,7 +38,10 @@ public:
         if (options_.outlines) out_.outline.assign(1, 0);
         out_.entry_area.assign(stone_.facets.size(), 0);
         out_.entry_untraced = out_.entry_cut = out_.entry_area;
+        symmetry_ = no_symmetry(stone_);
         measure();
+        if (options_.symmetry) fold();
+        out_.images = symmetry_.images;
         for (std::size_t i = 0; i < stone_.facets.size(); ++i) {
             if (out_.entry_area[i] > 0) enter(static_cast<int>(i));
         }
@@ -48,6 +52,7 @@ public:
             advance();
         }
         queue_.each([&](const Beam& b) { give_up(b.entry, b.area * b.response.power()); });
+        unfold();
     }
 
 private:
@@ -73,23 +78,59 @@ private:
 
     [[nodiscard]] bool may_go_on() const {
         if (options_.max_beams > 0 && out_.beams >= options_.max_beams) return false;
-        constexpr unsigned beams_between_looks = 1024;
+        constexpr unsigned beams_between_looks = 4096;
         if (out_.beams % beams_between_looks != 0) return true;
         if (options_.go_on && !options_.go_on()) return false;
         const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start_;
         return options_.seconds == 0 || spent.count() < options_.seconds;
     }
 
-    /// The outline of a facet in the picture.
+    /// One sector of a symmetric view is enough.
+    void fold() {
+        const double whole = out_.area_total;
+        symmetry_ = symmetry_of(stone_, medium_, frame_);
+        measure();
+        // Rounding may hide a part of the symmetry, so that sectors would not fill the picture.
+        constexpr double rounding = 1e-12;
+        const double filled = out_.area_total * static_cast<double>(symmetry_.images.size());
+        if (std::abs(filled - whole) <= rounding * whole) return;
+        symmetry_ = no_symmetry(stone_);
+        measure();
+    }
+
+    /// Sums over all images.
+    void unfold() {
+        const auto whole = [&](std::vector<double>& sums, double& total) {
+            const std::vector<double> part = sums;
+            sums.assign(part.size(), 0);
+            for (const PictureImage& image : symmetry_.images) {
+                for (std::size_t i = 0; i < part.size(); ++i) {
+                    sums[static_cast<std::size_t>(image.facets[i])] += part[i];
+                }
+            }
+            total *= static_cast<double>(symmetry_.images.size());
+        };
+        whole(out_.entry_area, out_.area_total);
+        whole(out_.entry_untraced, out_.untraced);
+        whole(out_.entry_cut, out_.cut);
+        out_.gaps *= static_cast<double>(symmetry_.images.size());
+    }
+
+    /// The outline of a facet in the picture, within the sector.
     void project(const Facet& facet) {
         polygon_.clear();
         for (const std::uint32_t c : facet.corners) {
             const Vec3 p = stone_.vertices[c] - frame_.centre;
             polygon_.push_back({dot(p, frame_.right), dot(p, frame_.up)});
         }
+        for (const Affine& side : symmetry_.sector) {
+            clip(polygon_, side, piece_);
+            polygon_.swap(piece_);
+        }
     }
 
     void measure() {
+        out_.area_total = 0;
         for (std::size_t i = 0; i < stone_.facets.size(); ++i) {
             if (!(dot(stone_.facets[i].normal, frame_.direction) < 0)) continue;
             project(stone_.facets[i]);
@@ -253,6 +294,7 @@ private:
     PictureFrame frame_;
     ViewOptions options_;
     Exits& out_;
+    ViewSymmetry symmetry_;
     BeamQueue<Beam> queue_;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
     double waiting_ = 0;  ///< weight times area of what is in the queue

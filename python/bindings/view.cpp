@@ -91,14 +91,19 @@ void bind_view(py::module_& module) {
         .def_readonly("area_total", &Exits::area_total)
         .def_readonly("untraced", &Exits::untraced)
         .def_readonly("cut", &Exits::cut)
-        .def_readonly("beams", &Exits::beams);
+        .def_readonly("beams", &Exits::beams)
+        .def("expanded", [](const Exits& e) {
+            const py::gil_scoped_release unlocked;
+            return e.expanded();
+        });
     module.def(
         "trace_view",
         [](const Stone& stone, const Medium& medium, const py::object& direction,
            const py::object& up, Weights weights, double bound, std::uint64_t max_beams,
            double seconds, int max_hits, double least_power) {
-            return traced(stone, medium, direction, up,
-                          {weights, bound, max_beams, seconds, max_hits, least_power, false, {}});
+            return traced(
+                stone, medium, direction, up,
+                {weights, bound, max_beams, seconds, max_hits, least_power, true, false, {}});
         },
         "stone"_a, "medium"_a, py::kw_only(), "direction"_a, "up"_a, "weights"_a, "bound"_a,
         "max_beams"_a, "seconds"_a, "max_hits"_a, "least_power"_a);

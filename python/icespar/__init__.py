@@ -33,7 +33,7 @@ from .image import Image
 from .minerals import mineral, minerals
 from .optics import Incident, Interface, Modes, Outgoing, interface
 from .scene import Plan, Scene, SceneError, SceneWarning, load
-from .views import LightReturn, View, view
+from .views import LightReturn, TiltCurve, View, tilt_curve, view
 
 __all__ = [
     "Design",
@@ -57,6 +57,7 @@ __all__ = [
     "SceneWarning",
     "Stone",
     "Tier",
+    "TiltCurve",
     "View",
     "__version__",
     "cutting_table",
@@ -66,5 +67,6 @@ __all__ = [
     "minerals",
     "polarisation",
     "proportions",
+    "tilt_curve",
     "view",
 ]

@@ -1,8 +1,10 @@
 """What a stone returns of the light around it to one who looks from afar: exact sums, each with its bound."""
 
 import math
-from collections.abc import Callable
-from typing import Literal, NamedTuple
+import os
+from collections.abc import Callable, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from typing import Any, Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -35,37 +37,45 @@ class View:
     def __init__(self, stone: Stone, medium: Medium, towards: ArrayLike, exits: _core.Exits, polarised: bool) -> None:
         self.stone, self.medium = stone, medium
         self._exits, self._polarised = exits, polarised
+        self._all: _core.Exits | None = None
         self._zenith = -np.asarray(towards, float)
+
+    @property
+    def _full(self) -> _core.Exits:
+        """Every beam, where `_exits` holds one for all images of a symmetric view."""
+        if self._all is None:
+            self._all = self._exits.expanded()
+        return self._all
 
     @property
     def direction(self) -> _Reals:
         """Where each beam comes from: unit vectors away from the stone, (N, 3)."""
-        return self._exits.direction
+        return self._full.direction
 
     @property
     def weight(self) -> _Reals:
         """What the viewer sees of unpolarised light of radiance 1 from there: (N,), or its Stokes vectors (N, 4)."""
-        return self._exits.weight if self._polarised else self._exits.weight[:, 0]
+        return self._full.weight if self._polarised else self._full.weight[:, 0]
 
     @property
     def area(self) -> _Reals:
         """Of each beam in the picture, in the stone's units squared, (N,)."""
-        return self._exits.area
+        return self._full.area
 
     @property
     def entry(self) -> NDArray[np.int32]:
         """The facet that the viewer sees each beam in, (N,)."""
-        return self._exits.entry
+        return self._full.entry
 
     @property
     def facet(self) -> NDArray[np.int32]:
         """The facet on the other side of which each beam's light is, (N,)."""
-        return self._exits.facet
+        return self._full.facet
 
     @property
     def hits(self) -> NDArray[np.int32]:
         """Faces each beam has met, the first and the last included; 1: mirrored by the outside, (N,)."""
-        return self._exits.hits
+        return self._full.hits
 
     @property
     def facet_area(self) -> _Reals:
@@ -89,7 +99,7 @@ class View:
 
     @property
     def beams(self) -> int:
-        """How many were followed from one facet to the next."""
+        """How many were followed from one facet to the next; images in a symmetric view are not counted."""
         return self._exits.beams
 
     def light_return(
@@ -124,7 +134,7 @@ class View:
         radiance = np.asarray(light(self.direction), float)
         if radiance.shape != self.area.shape:
             raise Error(f"a light must return one number for each direction, {self.area.shape}, not {radiance.shape}")
-        parts = radiance * self._exits.weight[:, 0] * self.area
+        parts = radiance * self._full.weight[:, 0] * self.area
         if facet is None:
             return LightReturn(float(parts.sum()) / self.area_total, greatest * self.untraced)
         area = self.facet_area[facet]
@@ -134,7 +144,7 @@ class View:
         return LightReturn(float(parts[self.entry == facet].sum()) / area, greatest * untraced / area)
 
     def __repr__(self) -> str:
-        return f"<View of {self.area.size} beams, untraced {self.untraced:.2g}>"
+        return f"<View of {self.stone!r}, untraced {self.untraced:.2g}>"
 
 
 def _medium(material: Medium | Mineral | str, wavelength_nm: float, axis: ArrayLike | None, axes: ArrayLike | None) -> Medium:
@@ -189,3 +199,44 @@ def view(
         **(_GEMRAY if cutoff else rules),
     )
     return View(stone, medium, direction, exits, stokes)
+
+
+class TiltCurve(NamedTuple):
+    """Light return of T tilts under L lights."""
+
+    tilts: _Reals  #: degrees, (T,)
+    value: _Reals  #: (T, L)
+    bound: _Reals  #: (T, L): the truth lies between value and value + bound
+
+
+def tilt_curve(
+    stone: Stone,
+    material: Medium | Mineral | str,
+    tilts: ArrayLike = tuple(range(-30, 31)),
+    *,
+    about: Literal["x", "y"] = "x",
+    lights: Sequence[Light] = ("iso", "cosine", "sc2"),
+    head_shadow: float = 10.0,
+    table: bool = False,
+    bound: float = 5e-3,
+    threads: int | None = None,
+    **options: Any,
+) -> TiltCurve:
+    """Light return of a stone whose table (+z) leans from the viewer by `tilts` degrees, turned about x or y of the design
+    as a right-hand screw (as GemRay does); lights and head stay with the viewer. `options` are those of `view`; tilts share
+    the processor's threads."""
+    if about not in ("x", "y"):
+        raise Error(f"about: 'x' or 'y', not {about!r}")
+    if wrong := {"direction", "up"} & options.keys():
+        raise Error(f"{' and '.join(sorted(wrong))} follow from the tilt; leave them out")
+
+    def at(tilt: float) -> list[LightReturn]:
+        s, c = math.sin(math.radians(tilt)), math.cos(math.radians(tilt))
+        direction, up = ((0, -s, -c), (0, c, -s)) if about == "x" else ((s, 0, -c), (0, 1, 0))
+        seen = view(stone, material, direction=direction, up=up, bound=bound, **options)
+        return [seen.light_return(light, head_shadow=head_shadow, table=table) for light in lights]
+
+    angles = np.atleast_1d(np.asarray(tilts, float))
+    with ThreadPoolExecutor(threads or os.cpu_count()) as pool:
+        numbers = np.array(list(pool.map(at, angles.tolist()))).reshape(angles.size, len(lights), 2)
+    return TiltCurve(angles, numbers[:, :, 0], numbers[:, :, 1])

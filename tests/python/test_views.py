@@ -42,6 +42,34 @@ def test_a_light_may_be_a_function(brilliant):
     assert both[0].bound == pytest.approx(both[1].bound)
 
 
+def test_a_symmetric_view_is_what_it_is_without(brilliant):
+    zircon = icespar.Medium.uniaxial(1.925, 1.984, (0, 0, 1))
+    view = icespar.view(brilliant, zircon, bound=0.01)
+    off = icespar.view(brilliant, zircon, bound=0.01, direction=(1e-9, 3e-10, -1))  # oblique, so without symmetry
+    assert view.beams < 0.1 * off.beams
+    for light in "iso", "cosine":
+        a, b = view.light_return(light, table=True), off.light_return(light, table=True)
+        assert abs(a.value - b.value) <= a.bound + b.bound
+    low = [v.light_return(lambda d: d[:, 0] > 0.5) for v in (view, off)]
+    assert low[0].value == pytest.approx(low[1].value, abs=0.01)
+
+
+def test_tilts(brilliant):
+    glass = icespar.Medium.isotropic(1.6)
+    curve = icespar.tilt_curve(brilliant, glass, (-20, 0, 20), bound=0.02, threads=2)
+    assert curve.value.shape == curve.bound.shape == (3, 3)
+    assert (curve.bound <= 0.02).all()
+    assert curve.value[0] == pytest.approx(curve.value[2], abs=0.02)
+    one = icespar.view(brilliant, glass, bound=0.02)
+    assert curve.value[1, 1] == pytest.approx(one.light_return("cosine").value, abs=1e-15)
+    side = icespar.tilt_curve(brilliant, glass, 20, about="y", lights=("iso",), bound=0.02)
+    assert side.value.shape == (1, 1)
+    with pytest.raises(icespar.Error):
+        icespar.tilt_curve(brilliant, glass, about="z")
+    with pytest.raises(icespar.Error):
+        icespar.tilt_curve(brilliant, glass, direction=(0, 0, -1))
+
+
 def test_gemray_agrees(brilliant):
     view = icespar.view(brilliant, icespar.Medium.isotropic(2.42), cutoff="gemray")
     assert 100 * view.light_return("iso").value == pytest.approx(74.389, abs=0.15)

@@ -16,7 +16,7 @@ namespace {
 double traced(const Exits& exits) {
     double sum = 0;
     for (std::size_t i = 0; i < exits.size(); ++i) sum += exits.weight[i].s0 * exits.area[i];
-    return sum;
+    return sum * static_cast<double>(exits.images.size());
 }
 
 /// Light that is neither traced nor untraced, or is both.
@@ -97,9 +97,10 @@ TEST_CASE("a cube seen along its edges reflects as the sum over all echoes of a 
     constexpr double n = 1.7, r = (n - 1) * (n - 1) / ((n + 1) * (n + 1));
     const Exits e = trace_view(cube_stone(), Medium::isotropic(n), {}, within(0, 60));
     double back = 0;
+    const double part = static_cast<double>(e.images.size()) / e.area_total;
     for (std::size_t i = 0; i < e.size(); ++i) {
         CHECK(std::abs(std::abs(e.direction[i].z) - 1) < 1e-15);
-        if (e.direction[i].z > 0) back += e.weight[i].s0 * e.area[i] / e.area_total;
+        if (e.direction[i].z > 0) back += part * e.weight[i].s0 * e.area[i];
     }
     CHECK(std::abs(back - 2 * r / (1 + r)) < 1e-14);
 }
@@ -166,6 +167,7 @@ TEST_CASE("the mean over a view is the sum of its pixels", "[views]") {
     for (std::size_t i = 0; i < e.size(); ++i) {
         seen += e.weight[i].s0 * e.area[i] * 0.5 * (1 + e.direction[i].z);
     }
+    seen *= static_cast<double>(e.images.size());
     // Beside the stone one looks down, where it is dark.
     const double whole = 2.2 * 2.2, mean = mean_of(picture.image.rgb, 1, 3);
     CHECK(mean * whole > seen - 1e-3 * e.area_total);
@@ -182,6 +184,7 @@ TEST_CASE("less is untraced the more is followed, and numbers stay within their 
         for (std::size_t i = 0; i < e.size(); ++i) {
             if (e.direction[i].z > 0) up += e.weight[i].s0 * e.area[i];
         }
+        up *= static_cast<double>(e.images.size());
         const double low = up / e.area_total, high = low + e.untraced / e.area_total;
         CHECK(e.untraced <= bound * e.area_total);
         CHECK(low >= least);
