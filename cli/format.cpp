@@ -1,12 +1,10 @@
 // `icespar format SCENE`: the same scene, evenly indented.
 #include "parser/format.hpp"
 
-#include <fstream>
-#include <iterator>
-
 #include "cli/commands.hpp"
 #include "image/image.hpp"
 #include "math/error.hpp"
+#include "parser/source.hpp"
 
 namespace icespar {
 
@@ -17,19 +15,22 @@ int format_command(const std::filesystem::path& scene, bool in_place, std::ostre
         messages << scene.string() << ": error: there is no such file\n";
         return exit_fault;
     }
-    std::ifstream stream(scene, std::ios::binary);
-    const std::string text{std::istreambuf_iterator<char>(stream),
-                           std::istreambuf_iterator<char>()};
+    const auto text = Sources::read(scene);
+    if (!text) {
+        messages << scene.string()
+                 << ": error: cannot be read as a scene, or is larger than 64 MiB\n";
+        return exit_fault;
+    }
     std::string better;
     try {
-        better = formatted(text);
+        better = formatted(*text);
     } catch (const Error& error) {
         messages << scene.string() << ':' << error.what() << '\n';
         return exit_fault;
     }
     if (!in_place) {
         out << better;
-    } else if (better != text) {
+    } else if (better != *text) {
         write_whole(scene.string(), better);
     }
     return exit_done;

@@ -12,7 +12,7 @@
 namespace icespar {
 namespace {
 
-constexpr std::size_t most_facets = 100'000;
+constexpr std::size_t most_facets = 10'000;
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\f' || c == '\v'; }
 

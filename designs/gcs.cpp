@@ -17,7 +17,7 @@
 namespace icespar {
 namespace {
 
-constexpr std::size_t most_facets = 100'000;
+constexpr std::size_t most_facets = 10'000;
 constexpr double degree = std::numbers::pi / 180;
 
 Vec3 turned(const Vec3& v) { return {-v.x, -v.y, v.z}; }

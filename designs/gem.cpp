@@ -15,7 +15,7 @@ namespace icespar {
 namespace {
 
 constexpr double end_of_facets = -99999;
-constexpr std::size_t most_facets = 100'000;
+constexpr std::size_t most_facets = 10'000;
 constexpr std::int32_t unexplained = 0x7FFF;  // between index and offset in every file seen
 constexpr std::size_t lines = 4;              // of headers, and of footnotes
 static_assert(std::endian::native == std::endian::little);

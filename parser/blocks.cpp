@@ -18,9 +18,8 @@ Parser::Parser(Sources& sources, Diagnostics& diagnostics, const LoadOptions& op
     : sources_(sources), diagnostics_(diagnostics), options_(options) {}
 
 BlockPtr Parser::parse(std::uint32_t file) {
-    files_.push_back(std::make_unique<TokenFile>(tokenize(file, sources_.file(file).text, names_)));
-    const TokenFile* tokens = files_.back().get();
-    frames_.push_back({tokens, 0, tokens->tokens.size() - 1, 0});
+    const TokenFile& tokens = read_tokens(file);
+    frames_.push_back({&tokens, 0, tokens.tokens.size() - 1, 0});
     Block scene;
     scene.word = "scene";
     const auto scene_words = *words_in("scene");

@@ -112,16 +112,16 @@ void flat_triangle(const Block& block, Welder& welder) {
 
 }  // namespace
 
+void Builder::warn_of_normals(const Place& place) {
+    diagnostics_.warning(place, "triangles are seen flat: normals at their corners are left out",
+                         {}, "normals of triangles");
+}
+
 std::shared_ptr<const TriangleMesh> Builder::mesh(const Block& block) {
     auto mesh = std::make_shared<TriangleMesh>();
     Welder welder(*mesh);
     std::vector<Vec3> vertices;
     bool listed = false;
-    const auto flat = [&](const Place& place) {
-        diagnostics_.warning(place,
-                             "triangles are seen flat: normals at their corners are left out", {},
-                             "normals of triangles");
-    };
     for (const Item& item : block.items) {
         step(item.place);
         if (item.kind == Item::Kind::value && item.value.empty()) throw Poisoned{item.place};
@@ -142,7 +142,7 @@ std::shared_ptr<const TriangleMesh> Builder::mesh(const Block& block) {
         const Block& inner = *item.block;
         if (inner.broken) throw Poisoned{inner.place};
         if (item.word == "triangle" || item.word == "smooth_triangle") {
-            if (item.word == "smooth_triangle") flat(item.place);
+            if (item.word == "smooth_triangle") warn_of_normals(item.place);
             flat_triangle(inner, welder);
         } else if (item.word == "vertex_vectors") {
             vertices = vertex_vectors(inner);
@@ -153,7 +153,7 @@ std::shared_ptr<const TriangleMesh> Builder::mesh(const Block& block) {
             }
             face_indices(inner, vertices, welder);
         } else if (item.word == "normal_vectors") {
-            flat(item.place);
+            warn_of_normals(item.place);
         }
         bounded(mesh->triangles.size(), item.place);
     }

@@ -90,9 +90,12 @@ void disc(Cursor& cursor, Part& part) {
     part.place = sized(r, r, normalised(normal), centre);
 }
 
-void triangle(Cursor& cursor, Part& part) {
+void triangle(Cursor& cursor, Part& part, bool smooth) {
     auto mesh = std::make_shared<TriangleMesh>();
-    for (int i = 0; i < 3; ++i) mesh->vertices.push_back(cursor.vector("a corner"));
+    for (int i = 0; i < 3; ++i) {
+        mesh->vertices.push_back(cursor.vector("a corner"));
+        if (smooth) (void)cursor.vector("a normal");
+    }
     mesh->triangles.push_back({0, 1, 2});
     const Vec3 area =
         cross(mesh->vertices[1] - mesh->vertices[0], mesh->vertices[2] - mesh->vertices[0]);
@@ -120,8 +123,9 @@ Part Builder::primitive(const Block& block) {
         cone(cursor, part, word == "cylinder");
     } else if (word == "disc") {
         disc(cursor, part);
-    } else if (word == "triangle") {
-        triangle(cursor, part);
+    } else if (word == "triangle" || word == "smooth_triangle") {
+        if (word == "smooth_triangle") warn_of_normals(block.place);
+        triangle(cursor, part, word == "smooth_triangle");
     } else if (word == "mesh" || word == "mesh2") {
         auto [known, first_time] = solid_of(block);
         if (first_time) {

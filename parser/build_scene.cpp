@@ -98,35 +98,8 @@ Scene Builder::build(const Block& block) {
             }
         });
     }
+    if (unit_mm_ != 1) to_millimetres();
     return std::move(scene_);
-}
-
-void Builder::global_settings(const Block& block) {
-    for (Cursor cursor(block); cursor.more();) {
-        const Item& item = cursor.take();
-        if (item.word == "assumed_gamma") {
-            if (cursor.next_is_number() && cursor.number("a gamma") != 1) {
-                diagnostics_.warning(cursor.place(),
-                                     "colours are linear here, as with assumed_gamma 1");
-            }
-        } else if (item.word == "max_trace_level") {
-            scene_.max_trace_level = static_cast<int>(cursor.number("max_trace_level", 1, 100000));
-        } else if (item.word == "ambient_light") {
-            const auto c = cursor.colour("a colour");
-            ambient_light_ = {c[0], c[1], c[2]};
-        } else if (item.word == "unit") {
-            // Lengths matter to absorption and rotation only, which are not rendered yet.
-            if (cursor.next_is(Item::Kind::word)) {
-                cursor.take();
-            } else {
-                (void)cursor.number("a length in millimetres", 1e-9, 1e9);
-            }
-        } else if (item.kind == Item::Kind::value && !item.value.empty()) {
-            throw unexpected(item, "global_settings");
-        } else if (item.word.empty()) {
-            cursor.skip_values();
-        }
-    }
 }
 
 void Builder::finish_part(const Part& part) {

@@ -7,6 +7,18 @@
 #include "parser/builder.hpp"
 
 namespace icespar {
+namespace {
+
+/// What was meant by a value that stands in a gem by itself.
+std::string hint_of_shape(const Value& value) {
+    if (value.text()) return "write design \"" + printable(*value.text()) + "\"";
+    const Numbers* n = value.numbers();
+    if (n && !n->colour && n->size == 3) return "points stand in hull { ... }";
+    if (n && n->colour) return "a stone's colour is that of its crystal";
+    return {};
+}
+
+}  // namespace
 
 std::pair<std::shared_ptr<Solid>, bool> Builder::solid_of(const Block& block) {
     std::shared_ptr<Solid>& known = solids_[&block];
@@ -58,7 +70,7 @@ Part Builder::gem(const Block& block) {
         } else if (item.kind == Item::Kind::word) {
             throw Fault{item.place, "'" + std::string(item.word) + "' needs '{' after it", {}};
         } else {
-            throw unexpected(item, "gem");
+            throw unexpected(item, "gem", hint_of_shape(item.value));
         }
     }
     if (!shaped && excused(block)) throw Poisoned{block.place};

@@ -117,7 +117,10 @@ private:
         return diagnostics_.errors() > 0 && has_gaps(block);
     }
 
+    // build_settings.cpp
     void global_settings(const Block& block);
+    void to_millimetres();
+
     void background(const Block& block);
     void sky_sphere(const Block& block);
     void environment(const Block& block);
@@ -137,6 +140,7 @@ private:
     Parts group(const Block& block);
     Part primitive(const Block& block);
     [[nodiscard]] std::shared_ptr<const TriangleMesh> mesh(const Block& block);
+    void warn_of_normals(const Place& place);
     /// The solid of a block, which its instances share, and whether it is new.
     std::pair<std::shared_ptr<Solid>, bool> solid_of(const Block& block);
     Part gem(const Block& block);
@@ -168,7 +172,7 @@ private:
     /// A finish amends the one already there, or the default.
     FinishLook finish(const Block& block, const std::optional<FinishLook>& before);
     InteriorLook interior(const Block& block);
-    // build_crystal.cpp
+    // build_crystal.cpp, build_dispersion.cpp, build_absorption.cpp
     struct CrystalWords;
     void crystal(const Block& block, InteriorLook& look);
     void crystal_item(Cursor& cursor, InteriorLook& look, CrystalWords& words);
@@ -178,8 +182,6 @@ private:
     static void crystal_absorption(Crystal& crystal, const CrystalWords& words);
 
     void shape(const Block& block, Solid& solid);
-    void cut(const Block& block, Solid& solid);
-    void facet(const Block& block, double gear, double offset, Solid& solid);
     void hull(const Block& block, Solid& solid);
     void box_planes(const Block& block, Solid& solid);
     void intersected(const Block& block, Solid& solid);
@@ -187,7 +189,11 @@ private:
     void transform_shape(const Transform& t, Solid& solid);
     /// Half-spaces instead of points.
     void as_planes(Solid& solid);
+    // build_cut.cpp
+    void cut(const Block& block, Solid& solid);
+    void facet(const Block& block, double gear, double offset, Solid& solid);
     void design(const Place& place, const std::string& file, Solid& solid);
+
     [[nodiscard]] static Stone polyhedron(const Solid& solid);
     const Stone* stone_of(Solid& solid);
 
@@ -202,6 +208,7 @@ private:
     Place where_;
     Look defaults_;
     std::array<double, 3> ambient_light_{1, 1, 1};
+    double unit_mm_ = 1;
     std::map<const Block*, std::shared_ptr<Solid>> solids_;
     std::shared_ptr<Solid> unit_box_;
     std::map<std::string, std::shared_ptr<const Picture>> pictures_;
@@ -212,6 +219,8 @@ private:
 };
 
 [[nodiscard]] double index_value(Cursor& cursor);
+/// Throws a Fault for a stone of more planes or points than the bound.
+void bound_stone(std::size_t count, const Place& place);
 /// Reads the transform whose word (or block) the cursor stands at; nothing when there is none.
 [[nodiscard]] std::optional<Transform> read_transform(Cursor& cursor);
 /// What a `transform { ... }` comes to.

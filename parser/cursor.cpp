@@ -26,9 +26,13 @@ bool has_gaps(const Block& block) {
 }
 
 Fault unexpected(const Item& item, std::string_view block, std::string hint) {
-    const std::string what =
-        item.kind == Item::Kind::word ? "'" + std::string(item.word) + "'" : kind_of(item.value);
-    return {item.place, "unexpected " + what + " in '" + std::string(block) + "'", std::move(hint)};
+    const std::string in = "'" + std::string(block) + "'";
+    if (item.kind == Item::Kind::value) {
+        return {item.place, kind_of(item.value) + " where " + in + " expects none",
+                std::move(hint)};
+    }
+    const std::string what = item.kind == Item::Kind::entry ? "[" : std::string(item.word);
+    return {item.place, "unexpected '" + what + "' in " + in, std::move(hint)};
 }
 
 bool Cursor::next_is_number() const {

@@ -223,9 +223,7 @@ void Parser::include() {
         const std::uint32_t file = sources_.add(
             name, found.path ? found.path->parent_path() : sources_.file(0).folder, *text);
         warn_of_encoding(sources_, diagnostics_, file);
-        files_.push_back(
-            std::make_unique<TokenFile>(tokenize(file, sources_.file(file).text, names_)));
-        tokens = files_.back().get();
+        tokens = &read_tokens(file);
     }
     const std::uint32_t route = sources_.add_route({RouteStep::Kind::include, {}, where});
     frames_.push_back({tokens, 0, tokens->tokens.size() - 1, route});

@@ -11,4 +11,10 @@ std::string not_a_text(std::string_view bytes) {
     return {};
 }
 
+void unify_line_ends(std::string& text) {
+    for (std::size_t at = 0; (at = text.find('\r', at)) != std::string::npos; ++at) {
+        if (at + 1 == text.size() || text[at + 1] != '\n') text[at] = '\n';
+    }
+}
+
 }  // namespace icespar

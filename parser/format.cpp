@@ -192,7 +192,9 @@ std::string formatted(std::string_view text) {
     if (const std::string fault = not_a_text(text); !fault.empty()) {
         throw Error(" error: " + fault);
     }
-    return Formatter(text).run();
+    std::string lines(text);
+    unify_line_ends(lines);
+    return Formatter(lines).run();
 }
 
 }  // namespace icespar

@@ -37,19 +37,23 @@ bool is_unit(std::string_view text) {
 
 class Lexer {
 public:
-    Lexer(std::uint32_t file, std::string_view text, Names& names) : text_(text), names_(names) {
+    Lexer(std::uint32_t file, std::string_view text, Names& names, std::size_t most)
+        : text_(text), names_(names), most_(most) {
         out_.file = file;
-        out_.tokens.reserve(text.size() / 4 + 1);
+        out_.tokens.reserve(std::min(text.size() / 4, most) + 2);
     }
 
     TokenFile run() {
         if (text_.starts_with("\xef\xbb\xbf")) at_ = 3;
         while (skip_blanks()) {
             one();
-            if (out_.tokens.size() < limits::tokens) continue;
-            push_string(
-                tok::bad, at_,
-                "this file has more than " + std::to_string(limits::tokens) + " tokens, the bound");
+            const bool many_names = names_.size() > limits::names;
+            if (out_.tokens.size() < most_ && !many_names) continue;
+            push_string(tok::bad, at_,
+                        many_names ? "more than " + std::to_string(limits::names) +
+                                         " different names, the bound"
+                                   : "the files of this scene have more than " +
+                                         std::to_string(limits::tokens) + " tokens, the bound");
             break;
         }
         push(tok::end, text_.size());
@@ -111,6 +115,12 @@ private:
         if (is_digit(c) || (c == '.' && is_digit(peek(1)))) return number();
         if (is_letter(c)) {
             while (is_name(peek())) ++at_;
+            if (at_ - begin > limits::name_bytes) {
+                return push_string(tok::bad, begin,
+                                   "this name is longer than " +
+                                       std::to_string(limits::name_bytes) +
+                                       " characters, the bound");
+            }
             return push(tok::word, begin, names_.number(text_.substr(begin, at_ - begin)));
         }
         if (c == '"') return text();
@@ -187,11 +197,15 @@ private:
             at_ = begin + 1;
             return push_string(tok::bad, begin, "'#' without a word after it");
         }
+        if (at_ - word > limits::name_bytes) {
+            return push_string(tok::bad, begin, "this is no directive");
+        }
         push(tok::directive, begin, names_.number(text_.substr(word, at_ - word)));
     }
 
     std::string_view text_;
     Names& names_;
+    std::size_t most_;
     TokenFile out_;
     std::size_t at_ = 0;
 };
@@ -207,8 +221,8 @@ std::uint32_t Names::number(std::string_view text) {
     return index;
 }
 
-TokenFile tokenize(std::uint32_t file, std::string_view text, Names& names) {
-    return Lexer(file, text, names).run();
+TokenFile tokenize(std::uint32_t file, std::string_view text, Names& names, std::size_t most) {
+    return Lexer(file, text, names, most).run();
 }
 
 }  // namespace icespar

@@ -8,6 +8,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "parser/limits.hpp"
 #include "parser/source.hpp"
 #include "parser/words.hpp"
 
@@ -50,6 +51,8 @@ struct TokenFile {
 };
 
 /// Never fails: what cannot be read becomes a bad token, which is an error only when it is reached.
-[[nodiscard]] TokenFile tokenize(std::uint32_t file, std::string_view text, Names& names);
+/// Ends with one after `most` tokens.
+[[nodiscard]] TokenFile tokenize(std::uint32_t file, std::string_view text, Names& names,
+                                 std::size_t most = limits::tokens);
 
 }  // namespace icespar

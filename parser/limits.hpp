@@ -22,6 +22,8 @@ inline constexpr int block_depth = 1000;   ///< declared blocks within declared 
 inline constexpr std::size_t loop_turns = 1'000'000 / share;  ///< of one loop
 inline constexpr std::size_t tokens =
     20'000'000 / share;  ///< in a file, and read in a run, loops counted every turn
+inline constexpr std::size_t names = 1'000'000 / share;  ///< that differ
+inline constexpr std::size_t name_bytes = 1000;
 inline constexpr std::size_t items = 4'000'000 / share;  ///< words, values and blocks kept in a run
 inline constexpr std::size_t string_bytes = 65'536;
 inline constexpr std::size_t string_bytes_in_all = (256 << 20) / share;
@@ -34,7 +36,7 @@ inline constexpr std::size_t objects =
     200'000 / share;  ///< stones, things and lights, instances counted
 inline constexpr std::size_t build_steps =
     4'000'000 / share;  ///< items looked at while the scene is built
-inline constexpr std::size_t stone_points = 20'000 / share;  ///< planes or points of one stone
+inline constexpr std::size_t stone_points = 10'000 / share;       ///< planes or points of one stone
 inline constexpr std::size_t mesh_triangles = 2'000'000 / share;  ///< of one mesh
 
 }  // namespace icespar::limits

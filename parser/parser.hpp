@@ -86,6 +86,7 @@ private:
     void pop_frame();
     void skip_line(const Token& from);
     void count_token();
+    const TokenFile& read_tokens(std::uint32_t file);
 
     // --- directives (directives.cpp, loops.cpp, macros.cpp) ---
     void run_directive();
@@ -199,7 +200,8 @@ private:
     double version_ = 3.7;
     /// The block word that a missing '}' let swallow; blocks close up to where it may stand.
     bool closing_ = false;
-    std::size_t tokens_ = 0, items_ = 0, array_elements_ = 0, bytes_ = 0, text_bytes_ = 0;
+    std::size_t lexed_ = 0, tokens_ = 0, items_ = 0, array_elements_ = 0, bytes_ = 0,
+                text_bytes_ = 0;
     Token last_;  ///< consumed
     Place last_place_;
 };

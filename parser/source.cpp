@@ -32,6 +32,7 @@ std::uint32_t Sources::add(std::string name, fs::path folder, std::string text) 
         file.was_utf8 = false;
         file.text = utf8(file.text);
     }
+    unify_line_ends(file.text);
     for (std::size_t i = 0; i < file.text.size(); ++i) {
         if (file.text[i] == '\n') file.line_starts.push_back(static_cast<std::uint32_t>(i + 1));
     }

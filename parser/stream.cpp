@@ -37,6 +37,13 @@ void Parser::count_token() {
     }
 }
 
+const TokenFile& Parser::read_tokens(std::uint32_t file) {
+    files_.push_back(std::make_unique<TokenFile>(
+        tokenize(file, sources_.file(file).text, names_, limits::tokens - lexed_)));
+    lexed_ = std::min(limits::tokens, lexed_ + files_.back()->tokens.size());
+    return *files_.back();
+}
+
 const Token& Parser::peek() {
     for (;;) {
         const Token& token = raw();

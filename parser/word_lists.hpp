@@ -17,9 +17,11 @@ struct BlockWords {
 inline constexpr BlockWords blocks[] = {
     {"scene",
      "global_settings camera light_source environment background sky_sphere plane box sphere "
-     "cylinder cone disc triangle mesh mesh2 sheet gem object union merge intersection",
+     "cylinder cone disc triangle smooth_triangle mesh mesh2 sheet gem object union merge "
+     "intersection",
      nullptr},
-    {"global_settings", "assumed_gamma max_trace_level unit mm cm m um in ambient_light", nullptr},
+    {"global_settings",
+     "assumed_gamma max_trace_level unit mm_per_unit mm cm m um in ambient_light", nullptr},
     {"camera",
      "perspective orthographic fisheye location look_at right up direction sky angle aperture "
      "focal_point blur_samples confidence variance analyser",
@@ -52,21 +54,24 @@ inline constexpr BlockWords blocks[] = {
     {"triangle", "inverse", &modifiers},
     {"mesh", "triangle smooth_triangle inverse", &modifiers},
     {"mesh2", "vertex_vectors normal_vectors face_indices inverse", &modifiers},
-    {"smooth_triangle", "", nullptr},
+    {"smooth_triangle", "inverse", &modifiers},
     {"vertex_vectors", "", nullptr},
     {"normal_vectors", "", nullptr},
     {"face_indices", "", nullptr},
     {"gem", "cut hull box mesh mesh2 intersection design object scale_to width", &modifiers},
     {"object",
-     "cut hull box intersection sphere plane cylinder cone disc triangle mesh mesh2 gem object "
+     "cut hull box intersection sphere plane cylinder cone disc triangle smooth_triangle mesh "
+     "mesh2 gem object "
      "union merge sheet inverse",
      &modifiers},
     {"union",
-     "plane box sphere cylinder cone disc triangle mesh mesh2 gem object union merge intersection "
+     "plane box sphere cylinder cone disc triangle smooth_triangle mesh mesh2 gem object union "
+     "merge intersection "
      "light_source sheet split_union",
      &modifiers},
     {"merge",
-     "plane box sphere cylinder cone disc triangle mesh mesh2 gem object union merge intersection",
+     "plane box sphere cylinder cone disc triangle smooth_triangle mesh mesh2 gem object union "
+     "merge intersection",
      &modifiers},
     {"intersection", "plane box cut hull mesh mesh2 object intersection inverse", &modifiers},
     {"cut", "gear offset facet", &transforms},
@@ -134,30 +139,31 @@ struct Advice {
 inline constexpr Advice skipped[] = {
     {"photons caustics collect target pass_through",
      "light in stones is always traced in full here"},
-    {"radiosity ambient_occlusion", "light between matt things is always traced"},
+    {"radiosity", "light between matt things is always traced"},
     {"subsurface translucency", "matt things let no light through"},
     {"phong phong_size specular roughness metallic irid irid_wavelength crand brilliance "
      "conserve_energy "
      "reflection reflection_exponent fresnel use_alpha diffuse_exponent",
      "opaque things are matt; stones reflect by the laws of Fresnel, always"},
-    {"normal bump_map bump_size no_bump_scale normal_map slope_map interior_texture uv_mapping",
+    {"normal bump_map bump_size no_bump_scale normal_map slope_map interior_texture",
      "surfaces are smooth"},
     {"media fog rainbow media_attenuation media_interaction", "the air is clear"},
     {"hollow sturm bounded_by inside_vector split_union max_intersections adc_bailout "
      "noise_generator "
-     "number_of_waves charset hf_gray_16 mm_per_unit max_gradient accuracy quick_color "
+     "number_of_waves charset hf_gray_16 max_gradient accuracy quick_color "
      "quick_colour "
      "precision cutaway_textures",
      "it changes nothing here"},
-    {"no_shadow no_image no_reflection double_illuminate looks_like light_group "
-     "global_lights",
-     "everything is seen and casts shadows"},
+    {"no_shadow no_image no_reflection double_illuminate", "everything is seen and casts shadows"},
+    {"looks_like", "lamps are not seen: put the thing beside the lamp, which then lights up"},
+    {"global_lights", "lamps shine on everything"},
     {"adaptive jitter area_illumination samples", "area lights are sampled evenly"},
     {"projected_through", "the lamp shines past it"},
     {"extinction", "stones take light by 'absorption' in 'crystal', or by 'fade_distance'"},
     {"dispersion_samples", "every wavelength is traced"},
     {"refraction", "a thing with an ior refracts"},
-    {"uv_vectors uv_indices normal_indices", "surfaces have no coordinates of their own here"},
+    {"normal_indices", "triangles are seen flat"},
+    {"uv_mapping uv_vectors uv_indices", "surfaces have no coordinates of their own here"},
 };
 
 inline constexpr Advice refused[] = {
@@ -168,6 +174,7 @@ inline constexpr Advice refused[] = {
      "use a 'mesh' of triangles, 'sphere', 'cylinder' or 'cone'"},
     {"bicubic_patch height_field prism polygon text text_space",
      "use a 'mesh', or 'hull' for stones"},
+    {"light_group", "lamps shine on everything: use 'union'"},
     {"texture_list", "give the mesh one texture, or make a mesh for each"},
     {"clipped_by", "use 'intersection' for stones"},
     {"image_pattern material_map pigment_map texture_map pigment_pattern "
@@ -175,7 +182,7 @@ inline constexpr Advice refused[] = {
      "use a colour, 'checker', 'grid', 'gradient' or 'image_map'"},
     {"agate average boxed bozo brick bumps cells crackle cylindrical density_file dents facets "
      "granite "
-     "hexagon leopard mandel julia marble onion planar quilted radial ripples spherical spiral1 "
+     "hexagon leopard mandel julia marble onion planar quilted radial ripples spiral1 "
      "spiral2 "
      "spotted tiling waves wood wrinkles slope object_pattern square triangular pavement",
      "use a plain colour, 'checker', 'grid' or 'gradient'"},
@@ -184,6 +191,7 @@ inline constexpr Advice refused[] = {
      "patterns cannot be bent: use a plain colour, 'checker', 'grid' or 'gradient'"},
     {"ultra_wide_angle omnimax panoramic mesh_camera",
      "use 'perspective', 'orthographic' or 'fisheye'"},
+    {"spherical", "a camera may be 'fisheye' or 'perspective', a pattern 'gradient'"},
     {"b_spline bezier_spline conic_sweep linear_sweep", "use a 'mesh'"},
     {"fopen fclose read write render statistics", "a scene reads no data and writes no files"},
     {"trace inside min_extent max_extent vturbulence eval_pigment transform_space",

@@ -128,9 +128,9 @@ struct SceneFault {
     std::string message;
 };
 
-/// Faults of a finished scene that would make a wrong picture: overlapping gems, lights and corners
-/// or poles of opaque objects inside a gem, an index below 1, numbers that are not finite. Empty
-/// when all is well; the first twenty or so when much is wrong.
+/// Faults of a finished scene that would make a wrong picture: overlapping gems, lights inside a
+/// gem, opaque objects inside a gem or through it, an index below 1, numbers that are not finite.
+/// Empty when all is well; the first twenty or so when much is wrong.
 [[nodiscard]] std::vector<SceneFault> scene_faults(const Scene& scene);
 /// The same, each with its gem's name before it.
 [[nodiscard]] std::vector<std::string> faults(const Scene& scene);

@@ -4,7 +4,10 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <map>
+#include <numeric>
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include "math/error.hpp"
@@ -97,21 +100,61 @@ std::vector<std::size_t> distinct_planes(std::span<const FacetPlane> planes, con
         Vec3 normal;
         double offset;
     };
-    std::vector<Seen> seen;
+    std::multimap<double, Seen> seen;  // by the normal's x
     std::vector<std::size_t> distinct;
     for (std::size_t i = 0; i < planes.size(); ++i) {
         const Vec3& n = planes[i].normal;
         const double norm = std::hypot(n.x, n.y, n.z);
         const Seen plane{n / norm, planes[i].distance / norm - dot(n / norm, centre)};
-        const bool known = std::any_of(seen.begin(), seen.end(), [&](const Seen& other) {
+        const auto first = seen.lower_bound(plane.normal.x - coincidence);
+        const auto last = seen.upper_bound(plane.normal.x + coincidence);
+        const bool known = std::any_of(first, last, [&](const auto& entry) {
+            const Seen& other = entry.second;
             return length(other.normal - plane.normal) <= coincidence &&
                    std::abs(other.offset - plane.offset) <= coincidence * std::abs(other.offset);
         });
         if (known) continue;
-        seen.push_back(plane);
+        seen.emplace(plane.normal.x, plane);
         distinct.push_back(i);
     }
     return distinct;
+}
+
+/// The same as `inner_ball`, which takes long over many planes: the ball of a few of them, to which
+/// those that cut into it are added until none does.
+InnerBall inner_ball_of_many(std::span<const HalfSpace> planes) {
+    constexpr std::size_t few = 256, more = 8;
+    if (planes.size() <= few) return inner_ball(planes);
+    std::vector<std::size_t> chosen;
+    for (std::size_t i = 0; i < few / 4; ++i) chosen.push_back(i * planes.size() / (few / 4));
+    for (;;) {
+        std::vector<HalfSpace> some;
+        for (const std::size_t i : chosen) some.push_back(planes[i]);
+        if (some.size() > planes.size() / 2) return inner_ball(planes);
+        InnerBall ball = inner_ball(some);
+        for (std::size_t& i : ball.touching) i = chosen[i];
+        if (!(ball.radius > 0)) return ball;
+        std::vector<double> depth(planes.size());
+        for (std::size_t i = 0; i < planes.size(); ++i) {
+            const Vec3& n = planes[i].normal;
+            depth[i] = ball.radius -
+                       (planes[i].distance - dot(n, ball.centre)) / std::hypot(n.x, n.y, n.z);
+        }
+        std::vector<std::size_t> deepest(planes.size());
+        std::iota(deepest.begin(), deepest.end(), std::size_t{0});
+        std::partial_sort(deepest.begin(), deepest.begin() + more, deepest.end(),
+                          [&](std::size_t a, std::size_t b) {
+                              return std::tie(depth[b], a) < std::tie(depth[a], b);
+                          });
+        const double rounding = 1e-12 * (ball.radius + length(ball.centre));
+        const std::size_t before = chosen.size();
+        for (std::size_t k = 0; k < more; ++k) {
+            const std::size_t i = deepest[k];
+            const bool is_new = std::find(chosen.begin(), chosen.end(), i) == chosen.end();
+            if (depth[i] > rounding && is_new) chosen.push_back(i);
+        }
+        if (chosen.size() == before) return ball;
+    }
 }
 
 /// The mean of the hull's corners, each counted once.
@@ -175,7 +218,7 @@ Stone Stone::from_planes(std::span<const FacetPlane> planes) {
         half_spaces.push_back({planes[i].normal, planes[i].distance});
     }
 
-    const InnerBall ball = inner_ball(half_spaces);
+    const InnerBall ball = inner_ball_of_many(half_spaces);
     if (!(ball.radius > 0)) {
         std::vector<std::string> names;
         for (const std::size_t i : ball.touching) names.push_back(quoted(planes[i], i));
