@@ -122,6 +122,11 @@ void row(int runs, const char* what, const Medium& from, const Medium& to, Mode 
                             solve_batch(arrays.faces, wanted, 0, count, lanes);
                         }));
         }
+        arrays.faces.precision = Precision::single;
+        std::printf(" %8.1f", nanoseconds(runs, [&] {
+                        solve_batch(arrays.faces, outgoing(true, false), 0, count, lanes);
+                    }));
+        arrays.faces.precision = Precision::full;
     }
     std::printf("\n");
 }
@@ -135,9 +140,10 @@ int main(int argc, char** argv) {
     const Medium calcite = Medium::uniaxial(1.6584, 1.4864, oblique);
     std::printf(
         "%s\nns a face on one core, median of %d runs; batches of %zu faces\n"
-        "%-34s %17s %26s %26s\n%-34s %8s %8s %8s %8s %8s %8s %8s %8s\n",
+        "%-34s %17s %35s %35s\n%-34s %8s %8s %8s %8s %8s %8s %8s %8s %8s %8s\n",
         processor().c_str(), runs, count, "", "Interface", "baseline (AVX2) batch", "AVX-512 batch",
-        "", "powers", "all", "powers", "+ rays", "all", "powers", "+ rays", "all");
+        "", "powers", "all", "powers", "+ rays", "all", "+ rays f", "powers", "+ rays", "all",
+        "+ rays f");
     row(runs, "air to glass", air, glass, Mode::p, 0.1);
     row(runs, "glass to air, total reflection", glass, air, Mode::p, 0.1);
     row(runs, "air to calcite", air, calcite, Mode::s, 0.1);

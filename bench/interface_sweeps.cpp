@@ -173,29 +173,35 @@ double median(std::vector<double> values) {
 int main(int argc, char** argv) {
     const int count = argc > 1 ? std::atoi(argv[1]) : 24;
     const unsigned long long seed = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 1;
-    std::printf("axis,medium,x,what,median_error,largest_error,median_change,largest_change\n");
+    std::printf(
+        "axis,medium,x,what,median_error,largest_error,single_median,single_largest,"
+        "median_change,largest_change\n");
     for (const Axis& axis : axes()) {
         for (const Symmetry symmetry : {Symmetry::uniaxial, Symmetry::biaxial}) {
             const char* medium = symmetry == Symmetry::uniaxial ? "uniaxial" : "biaxial";
             for (std::size_t point = 0; point < axis.values.size(); ++point) {
                 const double x = axis.values[point];
                 Random random(seed * 1000 + point);
-                std::vector<double> errors[2], changes[2];
+                std::vector<double> errors[2], single[2], changes[2];
                 while (errors[0].size() < static_cast<std::size_t>(count)) {
                     GeneralCase c = ordinary(random, symmetry);
                     if (!axis.draw(c, random, x) || dot(c.incident().ray, c.normal) <= 0) continue;
                     const GeneralExtent e = extent(c, moved(c, random));
                     errors[0].push_back(e.error_of_totals);
                     errors[1].push_back(e.error_of_waves);
+                    single[0].push_back(e.single_error_of_totals);
+                    single[1].push_back(e.single_error_of_waves);
                     changes[0].push_back(e.change_of_totals);
                     changes[1].push_back(e.change_of_waves);
                 }
                 for (int what = 0; what < 2; ++what) {
                     const auto& e = errors[what];
                     const auto& d = changes[what];
-                    std::printf("%s,%s,%g,%s,%.2e,%.2e,%.2e,%.2e\n", axis.name, medium, x,
+                    const auto& f = single[what];
+                    std::printf("%s,%s,%g,%s,%.2e,%.2e,%.2e,%.2e,%.2e,%.2e\n", axis.name, medium, x,
                                 what == 0 ? "totals" : "waves", median(e),
-                                *std::max_element(e.begin(), e.end()), median(d),
+                                *std::max_element(e.begin(), e.end()), median(f),
+                                *std::max_element(f.begin(), f.end()), median(d),
                                 *std::max_element(d.begin(), d.end()));
                 }
                 std::fflush(stdout);

@@ -26,6 +26,7 @@ AXES = {
 }
 PANELS = {"totals": "powers and summed fields of a side", "waves": "each wave alone"}
 COLOURS = {"uniaxial": "tab:blue", "biaxial": "tab:red"}
+COLUMNS = ("x", "median_error", "largest_error", "single_median", "single_largest", "largest_change")
 FLOOR = 1e-17  # an error of 0 has to stand somewhere
 
 
@@ -35,7 +36,7 @@ def rows_of(path: pathlib.Path) -> dict:
     with path.open(encoding="utf-8") as file:
         for row in csv.DictReader(file):
             found[row["axis"]][row["what"]][row["medium"]].append(
-                [float(row[name]) for name in ("x", "median_error", "largest_error", "largest_change")]
+                [float(row[name]) for name in COLUMNS]
             )
     return found
 
@@ -44,11 +45,16 @@ def figure_of(axis: str, panels: dict):
     figure, places = plt.subplots(1, 2, figsize=(8, 2.9), sharex=True, sharey=True, layout="constrained")
     for place, (what, title) in zip(places, PANELS.items(), strict=True):
         for medium, rows in panels[what].items():
-            x, median, largest, change = ([max(v, FLOOR) for v in column] for column in zip(*rows, strict=True))
+            x, median, largest, single, single_largest, change = (
+                [max(v, FLOOR) for v in column] for column in zip(*rows, strict=True)
+            )
             colour = COLOURS[medium]
             place.fill_between(x, FLOOR, change, color=colour, alpha=0.12, linewidth=0)
             place.plot(x, median, color=colour, label=f"{medium}, median")
             place.plot(x, largest, ".", color=colour, label=f"{medium}, largest")
+            if max(single) > FLOOR:
+                place.plot(x, single, "--", color="tab:green", label=f"{medium}, single precision")
+                place.plot(x, single_largest, ".", color="tab:green")
         place.set(yscale="log", ylim=(FLOOR, 10), title=title, xlabel=AXES[axis])
         if axis != "ratio":
             place.set_xscale("log")

@@ -18,7 +18,7 @@ struct Group {
     }
 
     [[nodiscard]] V load(const Column& column) const {
-        if (column.stride == 0) return V(*column.data);
+        if (column.stride == 0) return number<V>(*column.data);
         if (column.stride == 1 && full()) {
             return V(column.data + first, std::experimental::element_aligned);
         }
@@ -34,11 +34,14 @@ struct Group {
     [[nodiscard]] MediumLanes<V> load(const MediumColumn& column) const {
         if (column.stride == 0) {
             const Medium& m = *column.data;
-            return {V(m.n_o), V(m.n_e), {V(m.axis.x), V(m.axis.y), V(m.axis.z)}};
+            return {number<V>(m.n_o),
+                    number<V>(m.n_e),
+                    {number<V>(m.axis.x), number<V>(m.axis.y), number<V>(m.axis.z)}};
         }
         const auto each = [&](auto part) {
             return V([&](auto lane) {
-                return part(column.data[static_cast<std::ptrdiff_t>(face(lane)) * column.stride]);
+                return static_cast<typename V::value_type>(
+                    part(column.data[static_cast<std::ptrdiff_t>(face(lane)) * column.stride]));
             });
         };
         return {each([](const Medium& m) { return m.n_o; }),

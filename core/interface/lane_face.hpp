@@ -95,7 +95,7 @@ Mask<V> merging(const Seen<V, true>& m, const V& sign) {
     const Cx<V> ka = q * f.a.z + m.kt * f.a.x, kb = q * f.b.z + m.kt * f.b.x;
     const V w = norm(Cx<V>{ka.re - kb.im, ka.im + kb.re}),
             v = norm(Cx<V>{ka.re + kb.im, ka.im - kb.re});
-    const V close(static_cast<typename V::value_type>(0.09));
+    const V close = number<V>(0.09);
     return !m.real_o && !m.real_e && min(w, v) < close * max(w, v);
 }
 

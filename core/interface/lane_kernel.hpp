@@ -13,6 +13,8 @@ struct Kernel {
     const BatchResult& result;
     SolveOne solve_one;
     bool second = mode_index_of(faces.mode) == 1;
+    /// Along the normal; waves with less are left to be refused by name.
+    static constexpr double least_flux = single<V> ? 1e-17 : 1e-140;
 
     static std::size_t mode_index_of(Mode m) { return m == Mode::p || m == Mode::extraordinary; }
 
@@ -179,7 +181,7 @@ struct Kernel {
         const V q1 = dot(normal, in.k);
         const Vector3<V> kt = in.k - q1 * normal;
         // Along the axis the polarisation is the incident wave's own.
-        if (from_uniaxial && any_of(norm_of(kt) < V(1e-6) * from.n_o)) return false;
+        if (from_uniaxial && any_of(norm_of(kt) < number<V>(1e-6) * from.n_o)) return false;
         V q_o2 = q1 * q1;
         if (from_uniaxial && second) {
             q_o2 = from.n_e * from.n_e / (from.n_o * from.n_o) * q_o2 -
@@ -189,7 +191,7 @@ struct Kernel {
         const Upright<V, to_uniaxial> far(to, normal,
                                           q_o2 + (to.n_o - from.n_o) * (to.n_o + from.n_o));
         const Fresnel<V> f(near, far, q1, second);
-        const Mask<V> left = !(q1 > V(1e-140));
+        const Mask<V> left = !(q1 > number<V>(least_flux));
         if (any_of(left)) leave(group, left);
         write_incident(group, in);
         group.store(result.reflected_total.power, f.r_power);
@@ -225,7 +227,7 @@ struct Kernel {
             return;
         const Frame<V> frame(normal, in.k);
         const Vector3<V> E = in.field(from, frame, second), H = cross(in.k, E);
-        Mask<V> left = !(dot(cross(E, H), normal) > V(1e-140));
+        Mask<V> left = !(dot(cross(E, H), normal) > number<V>(least_flux));
         Seen<V, from_uniaxial> near(from, frame);
         Seen<V, to_uniaxial> far(to, frame);
         near.adopt(frame.kn, second);
@@ -279,6 +281,16 @@ void run(const FaceBatch& faces, const BatchResult& wanted, std::size_t begin, s
         kernel.template run<false, true>(begin, end);
     } else {
         kernel.template run<false, false>(begin, end);
+    }
+}
+
+/// In lanes as wide as the options of this file allow.
+template <class... Arguments>
+void run_native(const FaceBatch& faces, const Arguments&... arguments) {
+    if (faces.precision == Precision::single) {
+        run<std::experimental::native_simd<float>>(faces, arguments...);
+    } else {
+        run<std::experimental::native_simd<double>>(faces, arguments...);
     }
 }
 

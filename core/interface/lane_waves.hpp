@@ -17,14 +17,16 @@ struct Frame {
     Frame(const Vector3<V>& normal, const Vector3<V>& k) : z(normal), kn(dot(normal, k)) {
         const Vector3<V> once = k - kn * normal, t = once - dot(normal, once) * normal;
         const V kt2 = norm_of(t);
-        const Mask<V> inclined = kt2 > V(0.25) * norm_of(once) && kt2 > V(tiny<V> * tiny<V>);
+        const Mask<V> inclined =
+            kt2 > number<V>(0.25) * norm_of(once) && kt2 > V(tiny<V> * tiny<V>);
         kt = select<V>(inclined, sqrt(kt2), V(0));
         const Vector3<V> along = (V(1) / select<V>(inclined, kt, V(1))) * t;
         const Vector3<V> straight = along - dot(normal, along) * normal;
-        // A length within 1e-8 of 1 is put right by the first term of its series.
+        // A length this near to 1 is put right by the first term of its series.
+        constexpr double near = single<V> ? 1e-4 : 1e-8;
         const V size2 = norm_of(straight);
-        V f = V(1.5) - V(0.5) * size2;
-        if (any_of(abs(size2 - V(1)) > V(1e-8))) f = V(1) / sqrt(size2);
+        V f = number<V>(1.5) - number<V>(0.5) * size2;
+        if (any_of(abs(size2 - V(1)) > number<V>(near))) f = V(1) / sqrt(size2);
         x = f * straight;
         if (!all_of(inclined)) x = select<V>(inclined, x, across(normal));
         y = cross(z, x);
@@ -252,7 +254,7 @@ Pair<T, V> waves_towards(const Seen<V, uniaxial>& m, const V& sign) {
 template <class T, class V>
 Pair<T, V> incident_waves(const Seen<V, true>& m, const Vector3<V>& E, const V& kn,
                           bool extraordinary) {
-    const V close(0.1), noise(8 * epsilon<V>);
+    const V close = number<V>(0.1), noise(8 * epsilon<V>);
     const Roots<T, V> roots(m, V(1));
     const Crystal<V>& f = m.crystal;
     V ka = m.kt * f.a.x + kn * f.a.z, kb = m.kt * f.b.x + kn * f.b.z;

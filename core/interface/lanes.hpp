@@ -14,9 +14,17 @@ using Mask = typename V::mask_type;
 template <class V>
 inline constexpr
     typename V::value_type epsilon = std::numeric_limits<typename V::value_type>::epsilon();
+template <class V>
+inline constexpr bool single = sizeof(typename V::value_type) == 4;
 /// Its square is still a normal number.
 template <class V>
-inline constexpr typename V::value_type tiny = sizeof(typename V::value_type) == 8 ? 1e-150 : 1e-18;
+inline constexpr typename V::value_type tiny = single<V> ? 1e-18F : 1e-150;
+
+/// The same number in every lane.
+template <class V>
+V number(double x) {
+    return V(static_cast<typename V::value_type>(x));
+}
 
 template <class V>
 V select(const Mask<V>& condition, const V& yes, const V& no) {

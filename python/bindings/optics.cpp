@@ -186,7 +186,7 @@ void solve_in_threads(const FaceBatch& faces, const BatchResult& wanted, std::si
 
 py::tuple solve_interface(const Medium& medium1, const Medium& medium2, const Doubles& normals,
                           const Doubles& directions, By by, Mode mode, std::set<std::string> names,
-                          std::size_t threads) {
+                          std::size_t threads, bool single) {
     const auto columns = [](const Doubles& rows, const char* name) {
         if (rows.ndim() != 2 || rows.shape(1) != 3) {
             throw py::value_error(std::string(name) + ": shape (N, 3) is needed");
@@ -206,7 +206,8 @@ py::tuple solve_interface(const Medium& medium1, const Medium& medium2, const Do
                           .normal = n,
                           .direction = d,
                           .mode = mode,
-                          .by = by};
+                          .by = by,
+                          .precision = single ? Precision::single : Precision::full};
     Results results(faces.count, std::move(names));
     BatchResult wanted;
     py::dict incident = results.waves({&wanted.incident}, 0),
@@ -285,7 +286,7 @@ void bind_optics(py::module_& module) {
         .value("fast", Mode::fast)
         .value("slow", Mode::slow);
     module.def("solve_interface", &solve_interface, "medium1"_a, "medium2"_a, "normal"_a,
-               "direction"_a, "by"_a, "mode"_a, "names"_a, "threads"_a,
+               "direction"_a, "by"_a, "mode"_a, "names"_a, "threads"_a, "single"_a,
                "The boundary problem for unit (N, 3) or (1, 3) normals and directions: incident, "
                "reflected and "
                "transmitted waves as dictionaries of the arrays named.");

@@ -336,6 +336,7 @@ def solve_interface(
     mode: Mode,
     names: set[str],
     threads: int,
+    single: bool,
 ) -> tuple[dict[str, np.ndarray], dict[str, np.ndarray], dict[str, np.ndarray]]: ...
 def mueller_at_face(
     medium1: Medium,

@@ -116,6 +116,7 @@ def interface(
     mode: Literal["s", "p", "o", "e", "ordinary", "extraordinary", "fast", "slow"],
     only: Collection[str] | None = None,
     threads: int | None = None,
+    precision: Literal["double", "single"] = "double",
 ) -> Interface:
     """The plane wave of `mode` in `medium1`, along `direction`, meets a plane face of `medium2`.
 
@@ -132,6 +133,8 @@ def interface(
 
     `only` names the arrays that are wanted, such as {"power", "ray"}: the others are None, and cost
     neither time nor memory. `threads` bounds the processors at work; all, if None. They change no bit.
+    `precision` "single" computes isotropic and uniaxial media in single precision, faster and good to
+    about 1e-6 where an input's last digit decides nothing; arrays stay double, docs/accuracy.md shows both.
 
     Raises ValueError, which names the argument and its element, for a zero or non-finite vector, shapes
     that do not broadcast, a mode that the medium has not, a name in `only` that is none, and a wave whose
@@ -142,6 +145,8 @@ def interface(
             raise TypeError(f"{name}: an icespar.Medium is needed, not {type(medium).__name__}")
     core_by, core = core_mode(medium1, by, mode)
     names = _wanted(only)
+    if precision not in ("double", "single"):
+        raise ValueError(f"precision: 'double' or 'single' is needed, not {precision!r}")
     if threads is not None and threads < 1:
         raise ValueError(f"threads: {threads} is not a positive number; leave it out to use all processors")
     vectors = {"normal": directions("normal", normal), "direction": directions("direction", direction)}
@@ -149,7 +154,7 @@ def interface(
     require_memory("direction", count, _BYTES_A_RAY if only is None else 100 * (1 + len(names)))
     n, d = (np.atleast_2d(array) for array in vectors.values())
     incident, reflected, transmitted = _core.solve_interface(
-        medium1, medium2, n, d, core_by, core, names, threads or os.cpu_count() or 1
+        medium1, medium2, n, d, core_by, core, names, threads or os.cpu_count() or 1, precision == "single"
     )
     if "k" in names and not medium1.absorbing:
         incident["k"] = incident["k"].real.copy()

@@ -84,11 +84,11 @@ double difference(const Answer& x, const Answer& y) {
     return error;
 }
 
-/// What rounding of the inputs by an ulp each may change.
-double conditioning(const InterfaceCase& c) {
+/// What rounding of the inputs by so many ulps each may change.
+double conditioning(const InterfaceCase& c, double size = 1) {
     const auto here = alone(c);
     double most = 0;
-    for (const double ulps : {1.0, -1.0}) {
+    for (const double ulps : {size, -size}) {
         double sum = 0;
         for (const InterfaceCase& d : moved(c, ulps)) sum += difference(here, alone(d));
         most = std::max(most, sum);
@@ -128,6 +128,41 @@ TEST_CASE("a batch of faces gives what each face gives alone", "[interface][batc
     }
     INFO(where);
     CHECK(worst <= 1);
+}
+
+TEST_CASE("a batch in single precision gives what its inputs allow", "[interface][batch]") {
+    constexpr double epsilon = std::numeric_limits<float>::epsilon(),
+                     ulp = epsilon / std::numeric_limits<double>::epsilon();
+    Random random(63);
+    for (const Stress stress :
+         {Stress::ordinary, Stress::grazing, Stress::axis_in_face, Stress::strong_birefringence,
+          Stress::crystal_to_crystal, Stress::near_critical, Stress::one_mode_evanescent}) {
+        for (const Mode mode : {Mode::p, Mode::extraordinary}) {
+            std::vector<InterfaceCase> cases;
+            for (int tries = 0; tries < 800 && cases.size() < 100; ++tries) {
+                const InterfaceCase c = random_case(random, stress);
+                if (c.mode == mode) cases.push_back(c);
+            }
+            if (cases.empty()) continue;
+            for (const Lanes lanes : available()) {
+                BatchArrays batch(cases);
+                batch.faces.precision = Precision::single;
+                batch.solve(lanes);
+                int exact = 0;
+                double worst = 0;
+                for (std::size_t i = 0; i < cases.size(); ++i) {
+                    const double error = difference(in_batch(batch, i), alone(cases[i]));
+                    worst =
+                        std::max(worst, error / (50 * epsilon + 50 * conditioning(cases[i], ulp)));
+                    exact += error < epsilon / 1000;
+                }
+                INFO(name(stress) << ", worst " << worst);
+                CHECK(worst <= 1);
+                CHECK(exact <
+                      0.5 * static_cast<double>(cases.size()));  // lanes did it, not Interface
+            }
+        }
+    }
 }
 
 TEST_CASE("faces of a batch may have media of every kind side by side", "[interface][batch]") {

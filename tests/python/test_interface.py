@@ -233,6 +233,16 @@ def test_threads_change_no_bit():
         np.testing.assert_array_equal(getattr(one.transmitted, name), getattr(five.transmitted, name))
 
 
+def test_single_precision_is_rounded_and_no_more():
+    d = many()
+    full = icespar.interface(AIR, CALCITE, (0, 0, 1), d, mode="p").transmitted
+    single = icespar.interface(AIR, CALCITE, (0, 0, 1), d, mode="p", precision="single").transmitted
+    rounding = np.finfo(np.float32).eps
+    difference = np.abs(single.power - full.power)
+    assert rounding / 100 < np.median(difference) < 8 * rounding
+    np.testing.assert_allclose(single.ray, full.ray, atol=50 * rounding)
+
+
 def test_an_error_names_the_first_ray_at_fault():
     d = many()
     d[[7000, 15000]] *= -1
@@ -245,3 +255,5 @@ def test_unknown_arrays_and_threads_are_refused():
         icespar.interface(AIR, GLASS, (0, 0, 1), (0, 0, 1), mode="s", only={"powers"})
     with pytest.raises(ValueError, match="threads: 0"):
         icespar.interface(AIR, GLASS, (0, 0, 1), (0, 0, 1), mode="s", threads=0)
+    with pytest.raises(ValueError, match="precision: .* not 'half'"):
+        icespar.interface(AIR, GLASS, (0, 0, 1), (0, 0, 1), mode="s", precision="half")

@@ -87,9 +87,11 @@ struct GeneralDiscrepancy {
 [[nodiscard]] GeneralDiscrepancy compare(const GeneralCase& c);
 
 /// For plots: the largest error over the totals (powers and summed fields of a side), and over
-/// everything else, each wave alone; and the largest change of the reference from `c` to `moved`.
+/// everything else, each wave alone; the same of a batch in single precision, where media are
+/// plain; and the largest change of the reference from `c` to `moved`.
 struct GeneralExtent {
     double error_of_totals = 0, error_of_waves = 0;
+    double single_error_of_totals = 0, single_error_of_waves = 0;
     double change_of_totals = 0, change_of_waves = 0;
 };
 [[nodiscard]] GeneralExtent extent(const GeneralCase& c, const GeneralCase& moved);

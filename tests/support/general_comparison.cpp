@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "support/batch_arrays.hpp"
 #include "support/general_cases.hpp"
 
 namespace icespar::testing {
@@ -60,6 +61,28 @@ Solved core(const GeneralCase& c) {
     }
     s.total = {a.reflected_total, a.transmitted_total};
     s.interference = a.interference;
+    return s;
+}
+
+/// By a batch of one in single precision, for plain media.
+Solved in_single_precision(const GeneralCase& c) {
+    const Medium from = c.from.medium();
+    BatchArrays batch({{from, c.to.medium(), c.normal, c.direction, modes_of(from)[c.mode]}});
+    batch.faces.precision = Precision::single;
+    batch.solve(widest_lanes());
+    Solved s;
+    s.incident_k = batch.incident(0).k;
+    s.incident_E = batch.incident(0).E;
+    for (std::size_t side = 0; side < 2; ++side) {
+        for (std::size_t i = 0; i < 2; ++i) {
+            const auto w = side == 0 ? batch.reflected(0, i) : batch.transmitted(0, i);
+            s.modes[side][i] = {w.k, w.amplitude * w.E, w.ray, w.power, w.propagating};
+        }
+        const auto sum = batch.total(side == 1, 0);
+        s.E[side] = sum.E;
+        s.H[side] = sum.H;
+        s.total[side] = sum.power;
+    }
     return s;
 }
 
@@ -271,6 +294,11 @@ GeneralExtent extent(const GeneralCase& c, const GeneralCase& moved) {
     };
     largest(found, out.error_of_totals, out.error_of_waves);
     largest(changed, out.change_of_totals, out.change_of_waves);
+    if (c.from.medium().plain() && c.to.medium().plain()) {
+        Solved roughly = in_single_precision(c);
+        align(roughly, right);
+        largest(roughly, out.single_error_of_totals, out.single_error_of_waves);
+    }
     return out;
 }
 
