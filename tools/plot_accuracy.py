@@ -42,7 +42,7 @@ def rows_of(path: pathlib.Path) -> dict:
 
 
 def figure_of(axis: str, panels: dict):
-    figure, places = plt.subplots(1, 2, figsize=(8, 2.9), sharex=True, sharey=True, layout="constrained")
+    figure, places = plt.subplots(1, 2, figsize=(10, 2.9), sharex=True, sharey=True, layout="constrained")
     for place, (what, title) in zip(places, PANELS.items(), strict=True):
         for medium, rows in panels[what].items():
             x, median, largest, single, single_largest, change = (
@@ -62,7 +62,8 @@ def figure_of(axis: str, panels: dict):
     if axis not in ("ratio", "kappa"):
         places[0].invert_xaxis()  # both: they share it
     places[0].set_ylabel("relative error")
-    places[1].legend(fontsize=8, loc="upper left")
+    handles = {label: line for place in places for line, label in zip(*place.get_legend_handles_labels(), strict=True)}
+    figure.legend(handles.values(), handles.keys(), fontsize=8, loc="outside right upper")
     return figure
 
 
