@@ -222,6 +222,10 @@ void Builder::finish_stone(const Part& part, Solid& solid) {
                         "the optic axis is lost in this object's transforms",
                         {}};
         }
+    } else {
+        // Nothing lies along the axes of an isotropic stone; transforms may have stretched them.
+        gem.crystal.axis = Crystal().axis;
+        gem.crystal.third_axis = Crystal().third_axis;
     }
     gem.name = sources_.file_and_line(part.where);
     gem_places_.push_back(part.where);

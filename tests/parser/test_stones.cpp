@@ -93,9 +93,10 @@ TEST_CASE("boxes, planes and hulls intersect, transformed, turned inside out and
     CHECK_THAT(gem_of("#declare Cube = box { 0, 1 } gem { object { Cube scale 2 }" + glass + "}")
                    .stone.volume,
                WithinRel(8, 1e-12));
-    CHECK_THAT(gem_of("gem { intersection { hull { <0, 0, 0>, x, y, z } box { 0, 0.5 } }" + glass + "}")
-                   .stone.volume,
-               WithinRel(5.0 / 48, 1e-12));
+    CHECK_THAT(
+        gem_of("gem { intersection { hull { <0, 0, 0>, x, y, z } box { 0, 0.5 } }" + glass + "}")
+            .stone.volume,
+        WithinRel(5.0 / 48, 1e-12));
 }
 
 TEST_CASE("a box of glass is a gem, as in POV-Ray, and an opaque one is not", "[stones]") {
@@ -148,6 +149,17 @@ TEST_CASE("a cut keeps its handedness from GemCad's frame to the picture", "[sto
 TEST_CASE("scale_to sizes the girdle", "[stones]") {
     const Gem gem = gem_of("gem { box { <-1, 0, -2>, <1, 9, 2> } scale_to width 6" + glass + "}");
     CHECK_THAT(gem.stone.volume, WithinRel(2 * 9 * 4 * 27.0, 1e-12));
+}
+
+TEST_CASE("a stone of glass may be scaled: nothing in it has a direction", "[stones][crystal]") {
+    for (const std::string stone :
+         {"gem { box { -1, 1 } interior { ior 1.5 } scale <0.9, 2, 0.5> }",
+          "gem { box { -1, 1 } interior { crystal { mineral \"spinel\" } } "
+          "rotate x*30 scale 0.9 }"}) {
+        const Gem gem = gem_of(stone);
+        CHECK_THAT(length(gem.crystal.axis), WithinAbs(1, 1e-12));
+        CHECK(gem.stone.volume > 0);
+    }
 }
 
 TEST_CASE("the optic axis turns with the stone, wherever the interior stands",
