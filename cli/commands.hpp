@@ -62,4 +62,8 @@ int convert_command(const ConvertArguments& arguments, std::ostream& messages);
 int minerals_command(const std::string& name, bool colours, std::ostream& out,
                      std::ostream& messages);
 
+/// Hands a command over to the Python package: `arguments`, ended by a null, start with its name.
+/// Returns only by throwing Error, when no Python can be started.
+int python_command(char** arguments);
+
 }  // namespace icespar

@@ -251,6 +251,10 @@ int main(int argc, char** argv) {
     minerals->add_flag("--colours", colours,
                        "The colours of all minerals as CSV: white light behind 5 mm, by axis");
 
+    // Their options are the Python package's, which answers --help too.
+    app.add_subcommand("analyse", "Pictures and numbers of a design in a mineral, as a report");
+    app.add_subcommand("compare", "Designs, or minerals, side by side");
+
     try {
         const auto named = [&](const CLI::App* command) { return command->check_name(argv[1]); };
         if (argc > 1 && argv[1][0] != '-' && app.get_subcommands(named).empty()) {
@@ -258,6 +262,9 @@ int main(int argc, char** argv) {
                       << commands(app) << '\n';
             return exit_usage;
         }
+        if (argc > 1 &&
+            (argv[1] == std::string_view("analyse") || argv[1] == std::string_view("compare")))
+            return python_command(argv + 1);
         app.parse(argc, argv);
         const auto still = [&](const std::string& command) {
             if (two_clocks) refuse("--clock: a " + command + " has one clock, not two");

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Makes core/spectrum/tables.cpp: CIE tables at 5 nm, and the spectra that stand for an RGB colour.
+"""Makes core/spectrum/tables.cpp, CIE tables at 5 nm and the spectra that stand for an RGB colour, and lamps.cpp beside it.
 
     pip install colour-science==0.4.7 numpy==2.* && python tools/make_spectral_tables.py core/spectrum/tables.cpp
 
@@ -9,6 +9,7 @@ steps) that add to 1 at every node, stay above MARGIN and look like the primarie
 Mallett & Yuksel (2019), "Spectral Primary Decomposition for Rendering with sRGB Reflectance".
 """
 
+import os
 import sys
 import warnings
 
@@ -21,13 +22,16 @@ NODES = np.arange(380, 781, 5)
 GRID = np.arange(380, 781, 1)
 DECIMALS = 9  # of the reflectances: the renderer corrects the last digits, linearly and exactly
 MARGIN = 1e-6  # keeps that correction from leaving 0 .. 1
+#: The CIE's illuminants, D65 first; its FL1 is F1 here, as everyone says.
+LIGHTS = ["D65", "D50", "A", "C", "D55", "D75", *(f"FL{i}" for i in range(1, 13)), *(f"LED-B{i}" for i in range(1, 6))]
+LIGHTS += ["LED-BH1", "LED-RGB1", "LED-V1", "LED-V2"]
 PRIMARIES = np.array([[0.64, 0.33], [0.30, 0.60], [0.15, 0.06]])  # Rec. 709
 
 
 def cie_tables():
-    """Observer (81, 3) and the illuminants D65, D50, A (81, 3)."""
+    """Observer (81, 3) and the illuminants (81, lights)."""
     observer = colour.MSDS_CMFS["CIE 1931 2 Degree Standard Observer"]
-    lights = [colour.SDS_ILLUMINANTS[name] for name in ("D65", "D50", "A")]
+    lights = [colour.SDS_ILLUMINANTS[name] for name in LIGHTS]
     return (
         np.array([observer[float(nm)] for nm in NODES]),
         np.array([[light[float(nm)] for light in lights] for nm in NODES]),
@@ -119,11 +123,6 @@ const std::array<std::array<double, 3>, nodes> observer{{{{
 {rows(observer, lambda v: f"{max(v, 0):.12g}")}
 }}}};
 
-/// D65, D50, A.
-const std::array<std::array<double, 3>, nodes> illuminants{{{{
-{rows(lights, lambda v: f"{v:.12g}")}
-}}}};
-
 /// Red, green, blue.
 const std::array<std::array<double, 3>, nodes> primaries{{{{
 {rows(basis, lambda v: f"{v:.{DECIMALS}f}")}
@@ -134,6 +133,25 @@ const std::array<std::array<double, 3>, nodes> primaries{{{{
 """
     with open(path, "w", encoding="ascii") as file:
         file.write(text)
+    with open(os.path.join(os.path.dirname(path), "lamps.cpp"), "w", encoding="ascii") as file:
+        file.write(lamps(lights))
+
+
+def lamps(lights):
+    text = """// Illuminants of the CIE (015:2018) from 380 to 780 nm at 5 nm.
+// Made by tools/make_spectral_tables.py.
+#include "spectrum/tables.hpp"
+
+// clang-format off
+namespace icespar::tables {
+
+const std::array<Lamp, lamp_count> lamps{{
+"""
+    for name, values in zip(LIGHTS, lights.T):
+        numbers = [f"{v:.8g}" for v in values]
+        lines = ",\n        ".join(", ".join(numbers[i : i + 12]) for i in range(0, len(numbers), 12))
+        text += f'    {{"{name.replace("FL", "F")}", {{\n        {lines}}}}},\n'
+    return text + "}};\n\n}  // namespace icespar::tables\n// clang-format on\n"
 
 
 if __name__ == "__main__":

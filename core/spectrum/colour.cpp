@@ -45,6 +45,12 @@ Spectrum column(const Column& table, std::size_t which) {
     return {nodes, values};
 }
 
+Spectrum spectrum_of(const tables::Lamp& lamp) {
+    std::vector<double> nodes;
+    for (int i = 0; i < tables::nodes; ++i) nodes.push_back(shortest_nm + tables::step_nm * i);
+    return {std::move(nodes), {lamp.power.begin(), lamp.power.end()}};
+}
+
 /// The same function on the 1 nm grid of Spectrum::integrate, scaled to luminance Y = 1. On this
 /// grid a product with any table has its nodes where the integral looks, and is exact.
 template <class F>
@@ -125,7 +131,7 @@ Xyz xyz_from_rgb(const Rgb& rgb) { return times(xyz_from_rgb_matrix(), rgb); }
 Rgb rgb_of(const Spectrum& radiance) { return rgb_from_xyz(xyz_of(radiance)); }
 
 const Spectrum& white() {
-    static const Spectrum d65 = light_of_luminance_1(column(tables::illuminants, 0));
+    static const Spectrum d65 = light_of_luminance_1(spectrum_of(tables::lamps[0]));
     return d65;
 }
 
@@ -133,11 +139,22 @@ Spectrum illuminant(std::string_view name) {
     std::string upper(name);
     for (char& c : upper) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
     if (upper == "D65") return white();
-    if (upper == "D50") return light_of_luminance_1(column(tables::illuminants, 1));
-    if (upper == "A") return light_of_luminance_1(column(tables::illuminants, 2));
     if (upper == "E") return Spectrum(1.0);
-    throw Error("unknown illuminant '" + std::string(name) +
-                "'; there are D65, D50, A and E, and blackbody for other lamps");
+    // The CIE writes FL2 for what lamps are sold as F2.
+    if (upper.starts_with("FL")) upper.erase(1, 1);
+    for (const tables::Lamp& lamp : tables::lamps)
+        if (lamp.name == upper) return light_of_luminance_1(spectrum_of(lamp));
+    throw Error(
+        "unknown illuminant '" + std::string(name) +
+        "'; there are D65, D50, D55, D75, A, C and E, F1 to F12, LED-B1 to LED-B5, LED-BH1, "
+        "LED-RGB1, LED-V1 and LED-V2, and blackbody for other lamps");
+}
+
+std::vector<std::string_view> illuminant_names() {
+    std::vector<std::string_view> names;
+    for (const tables::Lamp& lamp : tables::lamps) names.push_back(lamp.name);
+    names.emplace_back("E");
+    return names;
 }
 
 Spectrum blackbody(double kelvin) {

@@ -68,9 +68,10 @@ using Xyz = std::array<double, 3>;
 /// equal-energy light E of luminance 1 has radiance 1 at every wavelength.
 [[nodiscard]] const Spectrum& white();
 
-/// A CIE illuminant by name ("D65", "D50", "A", "E"), scaled to luminance Y = 1. Throws Error with
-/// the names there are.
+/// A CIE illuminant by name, whatever the case, scaled to luminance Y = 1. Throws Error with the
+/// names there are.
 [[nodiscard]] Spectrum illuminant(std::string_view name);
+[[nodiscard]] std::vector<std::string_view> illuminant_names();
 /// Planck's law, scaled to luminance Y = 1; kelvin in 500 .. 50000.
 [[nodiscard]] Spectrum blackbody(double kelvin);
 

@@ -37,6 +37,7 @@ void bind_polarisation(py::module_& module);
 void bind_design(py::module_& module);
 void bind_stone(py::module_& module);
 void bind_scene(py::module_& module);
+void bind_light(py::module_& module);
 void bind_image(py::module_& module);
 void bind_view(py::module_& module);
 

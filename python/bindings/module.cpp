@@ -72,6 +72,7 @@ PYBIND11_MODULE(_core, module) {
     icespar::python::bind_polarisation(module);
     icespar::python::bind_stone(module);
     icespar::python::bind_design(module);
+    icespar::python::bind_light(module);
     icespar::python::bind_image(module);
     icespar::python::bind_scene(module);
     icespar::python::bind_view(module);

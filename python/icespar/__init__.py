@@ -27,6 +27,9 @@ from ._core import (
     Stone,
     Tier,
     __version__,
+    blackbody,
+    illuminant,
+    illuminants,
 )
 from .cutting import Proportions, cutting_table, proportions
 from .image import Image
@@ -60,7 +63,10 @@ __all__ = [
     "TiltCurve",
     "View",
     "__version__",
+    "blackbody",
     "cutting_table",
+    "illuminant",
+    "illuminants",
     "interface",
     "load",
     "mineral",

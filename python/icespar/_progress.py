@@ -1,4 +1,4 @@
-"""The progress bar of a render: on a terminal or in a notebook, nowhere else."""
+"""Progress bars: on a terminal or in a notebook, nowhere else."""
 
 import sys
 from collections.abc import Callable, Iterator
@@ -10,7 +10,7 @@ from . import _core
 @contextmanager
 def shown(wanted: bool) -> Iterator[Callable[[_core.Progress], None] | None]:
     """A function that draws a Progress while the context lasts; None where no one would see it."""
-    if not wanted or not (sys.stderr.isatty() or "ipykernel" in sys.modules):
+    if not wanted or not _seen():
         yield None
         return
     from tqdm.auto import tqdm
@@ -24,3 +24,20 @@ def shown(wanted: bool) -> Iterator[Callable[[_core.Progress], None] | None]:
             bar.update(min(max(progress.done, 0.0), 1.0) - bar.n)
 
         yield draw
+
+
+@contextmanager
+def bar(label: str) -> Iterator[Callable[[float], None] | None]:
+    """A function that draws the part that is done, 0 .. 1; None where no one would see it."""
+    if not _seen():
+        yield None
+        return
+    from tqdm.auto import tqdm
+
+    layout = "{desc} {percentage:3.0f} % |{bar}| {elapsed}|{remaining}"
+    with tqdm(total=1.0, leave=False, file=sys.stderr, bar_format=layout, desc=label) as drawn:
+        yield lambda done: drawn.update(done - drawn.n)
+
+
+def _seen() -> bool:
+    return sys.stderr.isatty() or "ipykernel" in sys.modules

@@ -159,14 +159,12 @@ def test_the_version_is_the_packages(run):
     assert run("--version").stdout.split() == ["icespar", icespar.__version__]
 
 
-def test_help_offers_every_command_and_nothing_that_does_not_exist(run):
+def test_help_offers_every_command(run):
     everything = run("--help").stdout
-    for command in ("render", "plan", "check", "format", "stone", "minerals"):
+    for command in ("render", "plan", "check", "format", "stone", "minerals", "analyse", "compare"):
         assert command in everything
         shown = run(command, "--help")
         assert shown.returncode == 0 and len(shown.stdout) > 100
-    for later in ("analyse ",):
-        assert later not in everything + run("render", "--help").stdout
 
 
 def test_minerals_are_listed_and_described(run):

@@ -29,6 +29,12 @@ def test_the_python_page_runs(root, monkeypatch):
     assert names["walk_off"] == pytest.approx(6.26, abs=0.01)
 
 
+def test_the_report_pages_python_runs(root, monkeypatch):
+    monkeypatch.chdir(root)
+    (example,) = blocks(root, "python", "docs/report.md")
+    exec(compile(example, "docs/report.md", "exec"), {})
+
+
 def test_the_readmes_scene_has_no_fault(root):
     (example,) = blocks(root, "pov")
     assert icespar.load(example).render(size=(8, 6), spp=1, progress=False).report.bad_samples == 0
@@ -48,6 +54,6 @@ def test_every_file_that_a_page_names_exists(root):
             assert (root / named).exists(), f"{page.name}: {named}"
 
 
-@pytest.mark.parametrize("word", ["render", "check", "stone", "minerals"])
+@pytest.mark.parametrize("word", ["render", "check", "stone", "minerals", "analyse", "compare"])
 def test_the_readme_shows_every_command(root, word):
     assert f"build/icespar {word}" in (root / "README.md").read_text()

@@ -199,3 +199,15 @@ def test_minerals_of_every_symmetry_give_media():
 def test_what_is_no_medium_is_refused_by_name(call, message):
     with pytest.raises(ValueError, match=message):
         call()
+
+
+def test_lamps_have_luminance_1_and_the_published_ratios():
+    nm = np.arange(380, 781, 5.0)
+    assert icespar.illuminant("E", 500.0) == 1 and icespar.illuminant("e", nm).tolist() == [1.0] * 81
+    d65 = icespar.illuminant("D65", [560.0, 460.0])
+    assert d65[1] / d65[0] == pytest.approx(1.178120, rel=1e-6)  # CIE 015:2018, table 5
+    assert icespar.illuminant("F11", 545.0) > 1.5 * icespar.illuminant("FL11", 535.0)  # terbium's line
+    assert icespar.blackbody(2856, [[700.0], [400.0]]).shape == (2, 1)
+    assert "LED-B3" in icespar.illuminants() and all(icespar.illuminant(n, 555.0) > 0 for n in icespar.illuminants())
+    with pytest.raises(icespar.Error, match="F1 to F12"):
+        icespar.illuminant("F13", nm)

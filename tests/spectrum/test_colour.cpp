@@ -45,7 +45,8 @@ TEST_CASE("every illuminant has luminance 1 and the chromaticity the CIE publish
     // CIE 015:2018, table 3, for 380 .. 780 nm at 5 nm; E follows from the observer's equal areas.
     const Published published =
         GENERATE(Published{"D65", 0.31272, 0.32903}, Published{"D50", 0.34567, 0.35851},
-                 Published{"A", 0.44758, 0.40745}, Published{"E", 0.33333, 0.33333});
+                 Published{"A", 0.44758, 0.40745}, Published{"E", 0.33333, 0.33333},
+                 Published{"D55", 0.33243, 0.34744}, Published{"D75", 0.29903, 0.31488});
     CAPTURE(published.name);
     const Spectrum light = illuminant(published.name);
     CHECK_THAT(xyz_from_rgb(rgb_of(light))[1], Catch::WithinAbs(1, 1e-13));
@@ -54,6 +55,35 @@ TEST_CASE("every illuminant has luminance 1 and the chromaticity the CIE publish
     // digit.
     CHECK_THAT(x, Catch::WithinAbs(published.x, 6e-5));
     CHECK_THAT(y, Catch::WithinAbs(published.y, 6e-5));
+}
+
+TEST_CASE("fluorescent lamps and LEDs have the chromaticities the CIE publishes", "[colour]") {
+    struct Published {
+        const char* name;
+        double x, y;
+    };
+    // CIE 015:2018, tables 10.1 and 12.1.
+    const Published published =
+        GENERATE(Published{"F1", 0.3131, 0.3371}, Published{"F2", 0.3721, 0.3751},
+                 Published{"F3", 0.4091, 0.3941}, Published{"F4", 0.4402, 0.4031},
+                 Published{"F5", 0.3138, 0.3452}, Published{"F6", 0.3779, 0.3882},
+                 Published{"F7", 0.3129, 0.3292}, Published{"F8", 0.3458, 0.3586},
+                 Published{"F9", 0.3741, 0.3727}, Published{"F10", 0.3458, 0.3588},
+                 Published{"FL11", 0.3805, 0.3769}, Published{"f12", 0.4370, 0.4042},
+                 Published{"LED-B1", 0.4560, 0.4078}, Published{"LED-B2", 0.4357, 0.4012},
+                 Published{"LED-B3", 0.3756, 0.3723}, Published{"LED-B4", 0.3422, 0.3502},
+                 Published{"LED-B5", 0.3118, 0.3236}, Published{"LED-BH1", 0.4474, 0.4066},
+                 Published{"LED-RGB1", 0.4557, 0.4211}, Published{"LED-V1", 0.4548, 0.4044},
+                 Published{"led-v2", 0.3781, 0.3775}, Published{"C", 0.31006, 0.31616});
+    CAPTURE(published.name);
+    const Spectrum light = illuminant(published.name);
+    CHECK_THAT(xyz_from_rgb(rgb_of(light))[1], Catch::WithinAbs(1, 1e-13));
+    // Summed as the CIE sums: at the nodes.
+    double sum[3] = {};
+    for (double nm = 380; nm <= 780; nm += 5)
+        for (std::size_t i = 0; i < 3; ++i) sum[i] += light(nm) * observer(nm)[i];
+    CHECK_THAT(sum[0] / (sum[0] + sum[1] + sum[2]), Catch::WithinAbs(published.x, 6e-5));
+    CHECK_THAT(sum[1] / (sum[0] + sum[1] + sum[2]), Catch::WithinAbs(published.y, 6e-5));
 }
 
 TEST_CASE("red, green and blue have the luminances of Rec. 709", "[colour]") {
@@ -105,8 +135,7 @@ TEST_CASE("a lamp outside what can be rendered is refused with the remedy", "[co
     CHECK_THROWS_AS(blackbody(50001), Error);
     CHECK_THROWS_AS(blackbody(std::nan("")), Error);
     CHECK_NOTHROW(blackbody(500));
-    CHECK_THROWS_WITH(illuminant("D66"),
-                      Catch::Contains("D66") && Catch::Contains("D65, D50, A and E"));
+    CHECK_THROWS_WITH(illuminant("D66"), Catch::Contains("D66") && Catch::Contains("F1 to F12"));
 }
 
 TEST_CASE("a reflectance looks like its colour under D65, exactly", "[colour][reflectance]") {
