@@ -57,6 +57,11 @@ def _parser() -> argparse.ArgumentParser:
             metavar="X,Y,Z",
             help="optic axis (of biaxial minerals that of n_gamma) in the design's frame: z is the dop axis (default 0,0,1)",
         )
+        command.add_argument(
+            "--retarget",
+            action="store_true",
+            help="change the angles for the mineral's mean index first, by tangent ratios, as `icespar convert --index` does",
+        )
         command.add_argument("--width", type=_positive, default=6.5, metavar="MM", help="width of the stone (default 6.5)")
         command.add_argument("--tilt", type=_tilt, default=30.0, metavar="DEG", help="largest tilt (default 30; 0: none)")
         command.add_argument("--step", type=_positive, default=2.0, metavar="DEG", help="between tilts (default 2)")
@@ -115,11 +120,11 @@ def _gems(options: argparse.Namespace) -> list:
         minerals = [word for word in options.subjects if word not in designs] or [None]
         if not designs:
             raise Error("compare: name one design at least (.asc, .gem or .gcs)")
-    return [
-        Gem.of(design, mineral, colour=options.colour, axis=options.axis, width_mm=options.width)
-        for design in designs
-        for mineral in minerals
-    ]
+    settings = {"colour": options.colour, "axis": options.axis, "width_mm": options.width}
+    gems = [Gem.of(design, mineral, **settings) for design in designs for mineral in minerals]
+    if not options.retarget:
+        return gems
+    return [Gem.of(gem.design.retarget(gem.mean_index()), gem.mineral, name=gem.name, **settings) for gem in gems]
 
 
 def _positive(text: str) -> float:

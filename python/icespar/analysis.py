@@ -19,7 +19,8 @@ SCOPE_HEAD = 15.0  #: and in ASET and Ideal-Scope
 LAMP = 2.0  #: side of a patch of sky that counts as one lamp, for fire, degrees
 PATCH = 10.0  #: and for scintillation
 NUDGE = 2.0  #: tilt between the two views of scintillation, degrees
-TILTED_BEAMS = 150_000  #: a tilted view ends with its bound or after so many beams; its own bound is stated anyway
+#: A tilted view ends with its bound or after so many beams, and states what is left. Birefringent stones split every beam.
+TILTED_BEAMS = {"isotropic": 2_000_000, "birefringent": 150_000}
 F_LINE, C_LINE, D_LINE = 486.1, 656.3, 589.3  #: nm
 
 Numbers = dict[str, tuple[float, float]]
@@ -129,16 +130,20 @@ def _frame(tilt: tuple[float, float]) -> NDArray[np.float64]:
     return tilted(np.eye(3), tilt)
 
 
+def _beams(medium: Medium) -> int:
+    return TILTED_BEAMS["isotropic" if medium.symmetry == "isotropic" else "birefringent"]
+
+
 def fire(gem: Gem, bound: float = 1e-3) -> tuple[float, float]:
     """MEANING["fire"], face-up."""
-    blue, red = (trace(gem, (0.0, 0.0), gem.medium(nm), bound, TILTED_BEAMS) for nm in (F_LINE, C_LINE))
+    blue, red = (trace(gem, (0.0, 0.0), gem.medium(nm), bound, _beams(gem.medium(nm))) for nm in (F_LINE, C_LINE))
     return moved(blue, red, np.eye(3), np.eye(3), LAMP)
 
 
 def scintillation(gem: Gem, still: View, bound: float = 1e-3) -> tuple[float, float]:
     """MEANING["scintillation"]; `still` is the view face-up."""
     found = [
-        moved(still, trace(gem, tilt, None, bound, TILTED_BEAMS), np.eye(3), _frame(tilt), PATCH)
+        moved(still, trace(gem, tilt, still.medium, bound, _beams(still.medium)), np.eye(3), _frame(tilt), PATCH)
         for tilt in ((NUDGE, 0.0), (0.0, NUDGE))
     ]
     value, rest = np.mean(found, axis=0)
@@ -228,7 +233,8 @@ def analyse(
 
     def one(job):
         _, tilt, _, medium = job
-        return numbers(trace(gem, tilt, medium, tilted_bound, TILTED_BEAMS), _frame(tilt)[2])
+        medium = gem.medium(D_LINE) if medium is None else medium
+        return numbers(trace(gem, tilt, medium, tilted_bound, _beams(medium)), _frame(tilt)[2])
 
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         for done, (job, result) in enumerate(zip(jobs, pool.map(one, jobs), strict=True), 1):

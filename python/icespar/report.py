@@ -194,7 +194,7 @@ def html(analyses: list[Analysis], size: int = 280, spp: int = 24) -> str:
             "rows": cutting_table(found.gem.design),
             "pictures": [(_png(found.gem, light, tilt, size, spp), words) for light, tilt, words in PICTURES],
             "diagram": _diagram(found.gem),
-            "curves": _curves(found),
+            "curves": _curves(found) if len(found.tilts) > 1 else "",
         }
         for found in analyses
     ]

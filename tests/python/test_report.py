@@ -163,13 +163,22 @@ def test_the_program_writes_a_page_that_stands_by_itself(call, root):
 
 
 def test_designs_and_minerals_are_compared_side_by_side(call):
-    done, _ = call("compare", "rose_cut_flat.asc", "trilliant_quartz.asc", "diamond", "fluorite", *QUICK)
+    done, _ = call("compare", "rose_cut_flat.asc", "trilliant_quartz.asc", "diamond", "fluorite", *QUICK, "--tilt", 0)
     assert done.returncode == 0, done.stderr
     head, *lines = done.stdout.splitlines()
     for label in ("rose_cut_flat, diamond", "rose_cut_flat, fluorite", "trilliant_quartz, diamond"):
         assert label in head
     (iso,) = (line for line in lines if line.startswith("Light return ISO"))
     assert len(re.findall(r"\d+\.\d\d %", iso)) == 4
+
+
+def test_a_design_is_cut_for_its_mineral_where_asked(call, root):
+    done, folder = call("analyse", "rose_cut_flat.asc", "--mineral", "diamond", "--retarget", *QUICK, "--csv", "r.csv")
+    assert done.returncode == 0, done.stderr
+    wanted = icespar.proportions(Design.read(root / "scenes/designs/rose_cut_flat.asc").retarget(2.41726).stone()).height
+    rows = csv.DictReader((folder / "r.csv").read_text().splitlines())
+    (height,) = (float(row["value"]) for row in rows if row["quantity"] == "height")
+    assert height == pytest.approx(wanted, abs=1e-4)
 
 
 @pytest.mark.parametrize(
