@@ -165,7 +165,7 @@ class _Sheet:
             middle = np.array([0.0, 0.0 if plan else self.middle])
             out = at - middle
             out = out / (np.linalg.norm(out) or 1)
-            end = middle + out * self.radius * (1.06 if plan else 1.2)
+            end = middle + out * self.radius * (1.09 if plan else 1.2)
             axes.annotate(
                 missing, at, end, fontsize=6, ha="center", va="center", arrowprops={"arrowstyle": "-", "linewidth": 0.4}
             )

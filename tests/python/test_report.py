@@ -126,6 +126,18 @@ def test_pictures_are_turned_as_they_say():
     assert abs(row) < 1 and abs(column) < 1
 
 
+@pytest.mark.parametrize("axis", [(0.3, 0.5, 0.8), (-0.3, 0.5, 0.8)])
+def test_a_picture_is_as_bright_as_the_numbers_say_whatever_the_axis_and_the_tilt(root, axis):
+    """Two engines, and two ways from the design's frame to the viewer's."""
+    gem, tilt, size = Gem.of(root / "scenes/designs/trilliant_quartz.asc", "calcite", axis=axis), (15.0, 8.0), 96
+    seen = analysis.trace(gem, tilt, bound=1e-2)
+    value, bound = analysis.numbers(seen, analysis._frame(tilt)[2])["sc2"]
+    picture = gem.picture("sc2", tilt, size=size, error=None, spp=16, clear=True)
+    side = 2 * 1.05 * np.linalg.norm(gem.stone.vertices, axis=1).max() / size
+    light = 100 * float(picture.rgb[..., 1].sum(dtype=float)) * side**2 / seen.area_total
+    assert value - 0.3 < light < value + bound + 0.3
+
+
 @pytest.fixture(scope="module")
 def call(program, root, tmp_path_factory):
     folder = tmp_path_factory.mktemp("reports")
