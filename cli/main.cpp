@@ -68,7 +68,7 @@ std::string commands(const CLI::App& app) {
 }
 
 const std::map<std::string, Engine> engines{
-    {"auto", Engine::automatic}, {"rays", Engine::rays}, {"beams", Engine::beams}};
+    {"auto", Engine::automatic}, {"rays", Engine::rays}, {"beams", Engine::beams}, {"exact", Engine::exact}};
 
 constexpr auto render_footer =
     "--error, --time and --spp may be given together: the bound that is reached first ends the\n"
@@ -116,9 +116,10 @@ int main(int argc, char** argv) {
         ->check(whole(1, 400));
     render
         ->add_option("--engine", arguments.options.engine,
-                     "rays: samples; beams: whole pixels through stones (docs/method.md);\n"
-                     "auto: beams where there is a stone (default)")
-        ->type_name("rays|beams|auto")
+                     "rays: samples; beams: whole pixels through stones; exact: whole facets of one stone\n"
+                     "in a parallel view (docs/method.md); auto: exact for an isotropic stone, else\n"
+                     "beams where there is a stone (default)")
+        ->type_name("rays|beams|exact|auto")
         ->transform(CLI::CheckedTransformer(engines));
     render
         ->add_option("--error", arguments.options.error,
@@ -194,7 +195,7 @@ int main(int argc, char** argv) {
     plan->add_option("SCENE", planned.scene, "A scene in a .spar, .pov or .inc file")->required();
     plan->add_flag("--stokes", planned.stokes, "As if the polarisation were to be kept");
     plan->add_option("--engine", planned.engine, "As if this engine were asked for")
-        ->type_name("rays|beams|auto")
+        ->type_name("rays|beams|exact|auto")
         ->transform(CLI::CheckedTransformer(engines));
     plan->add_flag("--full", planned.full, "As if the full kernel were asked for");
     clock_option(plan, "T", "What 'clock' is in the scene (default 0)");

@@ -79,6 +79,10 @@ std::string plan_line(const RenderArguments& arguments) {
 }
 
 std::string report_line(const RenderReport& report) {
+    if (report.engine == Engine::exact) {
+        return format("done in %.2f s", report.seconds) + ", " + std::to_string(report.events) +
+               " exact beams" + format(", untraced light %.2g", report.dropped);
+    }
     const double rate = report.seconds > 0 ? 1e-6 * double(report.paths) / report.seconds : 0;
     std::string line = report.interrupted ? "interrupted after " : "done in ";
     line += format("%.2f s", report.seconds) + format(", %.3g Mpath/s", rate) + ", " +

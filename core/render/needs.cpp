@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "render/view_picture.hpp"
+
 namespace icespar {
 namespace {
 
@@ -73,7 +75,14 @@ Needs needs_of(const Scene& scene, bool stokes, Engine engine, const Forced& for
                      sky.state != Stokes{1, 0, 0, 0} || sky.pattern || !sky.formulas.empty() ||
                      forced.surroundings;
     n.obstacle = obstacle(scene, n.stones, forced);
-    n.engine = engine != Engine::rays && n.obstacle.empty() ? Engine::beams : Engine::rays;
+    n.exact_obstacle = view_obstacle(scene);
+    const bool exact = engine == Engine::exact ||
+                       (engine == Engine::automatic && !n.birefringent && forced == Forced{});
+    if (exact && n.exact_obstacle.empty()) {
+        n.engine = Engine::exact;
+    } else {
+        n.engine = engine != Engine::rays && n.obstacle.empty() ? Engine::beams : Engine::rays;
+    }
     return n;
 }
 

@@ -8,9 +8,10 @@
 
 namespace icespar {
 
-/// What follows light through stones: rays sample it, beams follow whole pixels (docs/method.md).
-/// automatic: beams where they apply. Both make the same picture, within their noise.
-enum class Engine { automatic, rays, beams };
+/// What follows light through stones: rays sample it, beams follow whole pixels, exact beams whole
+/// facets of a lone stone in a parallel view (docs/method.md). automatic: exact beams for an
+/// isotropic stone, else beams, where they apply. All make the same picture, within their noise.
+enum class Engine { automatic, rays, beams, exact };
 
 /// Parts of the full kernel to be used where a scene does not need them, to compare. The picture
 /// stays the same: to rounding, or, where samples fall elsewhere (wavelengths of beams,
@@ -23,6 +24,7 @@ struct Forced {
     bool tree = false;          ///< Embree, for however few objects
     bool surroundings = false;  ///< what leaves a lonely stone is looked up ray by ray
 
+    friend bool operator==(const Forced&, const Forced&) = default;
     [[nodiscard]] static Forced everything() { return {true, true, true, true, true, true}; }
 };
 
@@ -44,7 +46,8 @@ struct Needs {
     bool surroundings =
         false;  ///< light that leaves a stone meets more than a smooth sky and lamps
     Engine engine = Engine::rays;
-    std::string obstacle;  ///< why beams cannot make the picture; empty when they can
+    std::string obstacle;        ///< why beams cannot make the picture; empty when they can
+    std::string exact_obstacle;  ///< the same of exact beams
     Forced forced;
 };
 

@@ -116,6 +116,10 @@ PlanLine lights(const Scene& scene) {
 }
 
 PlanLine engine(const Needs& n) {
+    if (n.engine == Engine::exact) {
+        return {"engine", "exact beams",
+                "one stone in a parallel view: whole facets are followed, without samples"};
+    }
     if (n.engine == Engine::beams) {
         std::size_t by_rays = 0;
         for (const StoneNeeds& s : n.stones) by_rays += s.beams ? 0 : 1;
@@ -178,7 +182,9 @@ std::string plan_text(const Scene& scene, const Needs& needs) {
 }
 
 std::string plan_summary(const Needs& n) {
-    std::string text = n.engine == Engine::beams ? "beams" : "rays";
+    std::string text = n.engine == Engine::exact   ? "exact beams"
+                       : n.engine == Engine::beams ? "beams"
+                                                   : "rays";
     text += n.wavelengths ? ", spectral" : ", one path for all wavelengths";
     text += n.stokes ? ", Stokes" : ", intensity";
     if (!n.stones.empty())

@@ -16,6 +16,7 @@
 #include "math/error.hpp"
 #include "render/film.hpp"
 #include "render/pixel_worker.hpp"
+#include "render/view_picture.hpp"
 
 namespace icespar {
 namespace {
@@ -81,6 +82,10 @@ Rendering render(const Scene& scene, const RenderOptions& options,
         throw Error("beams cannot make this picture: " + needs.obstacle +
                     "; choose the engine rays");
     }
+    if (options.engine == Engine::exact && !needs.exact_obstacle.empty()) {
+        throw Error("exact beams cannot make this picture: " + needs.exact_obstacle +
+                    "; choose another engine");
+    }
     const PreparedScene prepared(scene, needs, options.width, options.height, options.bands);
     const bool by_beams = needs.engine == Engine::beams;
     Film film(options.width, options.height, options.bands, needs.stokes);
@@ -124,6 +129,17 @@ Rendering render(const Scene& scene, const RenderOptions& options,
     // Tiles go out in batches so that the caller hears from us a few times a second.
     int batch = 4 * arena.max_concurrency();
     bool enough = false;
+    if (needs.engine == Engine::exact) {
+        const ViewPicture view =
+            add_view(scene, prepared.palette, prepared.wavelengths, options, progress, film);
+        enough = true;
+        report.interrupted = view.interrupted;
+        report.events = view.beams;
+        report.samples = view.interrupted ? 0 : view.wavelengths;
+        const double pixels = static_cast<double>(options.width) * options.height;
+        report.paths = view.interrupted ? 0 : static_cast<std::uint64_t>(pixels);
+        report.dropped = view.untraced * pixels;
+    }
     while (!report.interrupted && !enough) {
         int count = by_beams ? next_beam_pass(options, report.samples, samples, report.error,
                                               prepared.beams->tells_error())

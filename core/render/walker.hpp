@@ -14,6 +14,7 @@
 #include "render/palette.hpp"
 #include "render/pass_filter.hpp"
 #include "render/random.hpp"
+#include "render/sky_light.hpp"
 #include "render/stone_optics.hpp"
 #include "render/surface.hpp"
 #include "render/twins.hpp"
@@ -331,25 +332,17 @@ private:
     void see_environment(const Branch& b, Guide& guide) {
         const Environment& sky = world_.scene().environment;
         const Stokes seen = seen_of(b, sky.state, {0, 1, 0});
+        const auto add = [&](const Emitter& light, double strength) {
+            guide.see(light, strength * seen, b.one_wavelength);
+        };
         if (!sky.formulas.empty()) {
             const Vec3 up = normalised(sky.to_own.inverse().vector({0, 1, 0}));
             guide.see(palette_.illuminant, seen_of(b, formula_light(sky, b.ray), up),
                       b.one_wavelength);
-        } else if (sky.pattern) {
-            const Mix mix = mix_at(*sky.pattern, b.ray, b.ray);
-            for (std::size_t i = 0; i < static_cast<std::size_t>(mix.count); ++i) {
-                guide.see(palette_.sky[mix.colour[i]], mix.share[i] * seen, b.one_wavelength);
-            }
         } else {
-            const double height = 0.5 * (1 + dot(b.ray, sky.up));
-            guide.see(palette_.below, (1 - height) * seen, b.one_wavelength);
-            guide.see(palette_.above, height * seen, b.one_wavelength);
+            smooth_light(sky, palette_, b.ray, add);
         }
-        for (std::size_t i = 0; i < sky.discs.size(); ++i) {
-            if (dot(b.ray, sky.discs[i].direction) >= sky.discs[i].cos_radius) {
-                guide.see(palette_.discs[i], seen, b.one_wavelength);
-            }
-        }
+        lamp_light(sky, palette_, b.ray, add);
     }
 
     void meet_sheet(const Branch& b, const Vec3& point, const Hit& hit, Guide& guide) {

@@ -80,7 +80,8 @@ void bind_image(py::module_& module) {
     py::enum_<Engine>(module, "Engine", "What follows light through stones.")
         .value("automatic", Engine::automatic)
         .value("rays", Engine::rays)
-        .value("beams", Engine::beams);
+        .value("beams", Engine::beams)
+        .value("exact", Engine::exact);
     py::class_<RenderReport>(module, "RenderReport", "What a render did.")
         .def_readonly("samples", &RenderReport::samples, "A pixel.")
         .def_readonly("paths", &RenderReport::paths, "Camera paths.")

@@ -109,7 +109,7 @@ class Scene:
         seed: int = 0,
         stokes: bool = False,
         spectral: int = 0,
-        engine: Literal["auto", "rays", "beams"] = "auto",
+        engine: Literal["auto", "rays", "beams", "exact"] = "auto",
         full: bool = False,
         progress: bool | Callable[[_core.Progress], bool | None] = True,
     ) -> Image:
@@ -119,8 +119,9 @@ class Scene:
         `spp` samples a pixel, or `time` in seconds; with none given, 64 samples. The same seed and samples
         make the same bits for any number of `threads` (0: all).
         `stokes` keeps the polarisation, `spectral` that many bands of the spectrum.
-        `engine` "rays" samples, "beams" follows whole pixels through stones, "auto" takes beams where there
-        is a stone; both make the same picture within their noise. `full` computes what the scene does not
+        `engine` "rays" samples, "beams" follows whole pixels through stones, "exact" whole facets of one stone that
+        an orthographic camera sees below a sky alone (no noise; `spp` counts wavelengths of a dispersive stone); "auto"
+        takes the last of them that applies, "exact" for isotropic stones. All make the same picture within their noise. `full` computes what the scene does not
         need, too (see `plan`).
         `progress` True draws a bar on a terminal or in a notebook; a function is called with a Progress
         now and then, and ends the render by returning False. Ctrl-C raises KeyboardInterrupt.
@@ -151,7 +152,7 @@ class Scene:
         return Image(core, report)
 
     def plan(
-        self, stokes: bool = False, engine: Literal["auto", "rays", "beams"] = "auto", full: bool = False
+        self, stokes: bool = False, engine: Literal["auto", "rays", "beams", "exact"] = "auto", full: bool = False
     ) -> Plan:
         """How `render` would make a picture with these arguments, and why."""
         return Plan(*_core.plan(self._core, stokes=bool(stokes), engine=_engine(engine), full=bool(full)))
@@ -252,9 +253,14 @@ def _count(name: str, value: int, least: int = 1, most: int = 2**31 - 1) -> int:
 
 
 def _engine(name: str) -> _core.Engine:
-    engines = {"auto": _core.Engine.automatic, "rays": _core.Engine.rays, "beams": _core.Engine.beams}
+    engines = {
+        "auto": _core.Engine.automatic,
+        "rays": _core.Engine.rays,
+        "beams": _core.Engine.beams,
+        "exact": _core.Engine.exact,
+    }
     if name not in engines:
-        raise ValueError(f"engine: {name!r} is not 'auto', 'rays' or 'beams'")
+        raise ValueError(f"engine: {name!r} is not 'auto', 'rays', 'beams' or 'exact'")
     return engines[name]
 
 

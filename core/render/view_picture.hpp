@@ -1,0 +1,29 @@
+// Pictures of a lone stone in a parallel view, by exact beams: no samples, no noise.
+#pragma once
+
+#include <string>
+
+#include "render/film.hpp"
+#include "render/render.hpp"
+
+namespace icespar {
+
+/// Why exact beams cannot make this scene's picture; empty when they can.
+[[nodiscard]] std::string view_obstacle(const Scene& scene);
+
+struct ViewPicture {
+    double untraced = 0;      ///< mean light per pixel that was not followed
+    std::uint64_t beams = 0;  ///< followed from one facet to the next
+    int wavelengths = 1;
+    bool interrupted = false;  ///< nothing was added to the film
+};
+
+/// Adds the picture to the film as one sample. Follows light until a quarter of options.error is left of
+/// it, or a thousandth, or as long as options.seconds; a stone that treats wavelengths differently
+/// is traced for options.samples of them (64 when that is 0).
+[[nodiscard]] ViewPicture add_view(const Scene& scene, const Palette& palette,
+                                   const WavelengthSampler& wavelengths,
+                                   const RenderOptions& options, const ProgressCallback& progress,
+                                   Film& film);
+
+}  // namespace icespar

@@ -1,0 +1,98 @@
+// Pictures by exact beams are those of the other engines, without their noise.
+#include <catch2/catch.hpp>
+
+#include "support/gem_scenes.hpp"
+
+using namespace icespar;
+using namespace icespar::testing;
+
+namespace {
+
+Scene parallel(Crystal crystal, Environment environment) {
+    Scene scene = picture_scene(std::move(crystal), std::move(environment));
+    Camera& c = scene.camera;
+    c.kind = Camera::Kind::orthographic;
+    c.direction = normalised(Vec3{0.2, -0.3, -1});
+    c.location = -5.0 * c.direction;
+    c.right = 2.6 * normalised(cross(c.direction, Vec3{0, 1, 0}));
+    c.up = cross(c.right, c.direction);
+    return scene;
+}
+
+Rendering rendered(const Scene& scene, Engine engine, int samples, double error, bool stokes) {
+    RenderOptions options = small(16, samples);
+    options.engine = engine;
+    options.error = error;
+    options.stokes = stokes;
+    return render(scene, options);
+}
+
+/// Root mean square of the differences of two pictures.
+double apart(const std::vector<float>& a, const std::vector<float>& b) {
+    REQUIRE(a.size() == b.size());
+    double sum = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
+    return std::sqrt(sum / static_cast<double>(a.size()));
+}
+
+Environment lamps_and_slope() {
+    Environment sky = slope(normalised(Vec3{0.1, 0.3, 1}));
+    sky.discs.push_back({normalised(Vec3{0.5, 0.2, 1}), std::cos(0.2), Spectrum(5.0)});
+    return sky;
+}
+
+}  // namespace
+
+TEST_CASE("in a furnace a picture by exact beams is 1 but for what is untraced",
+          "[views][furnace]") {
+    for (const Crystal& crystal : {glass(2.417), quartz({0, 0, 1})}) {
+        const Rendering r = rendered(parallel(crystal, furnace()), Engine::exact, 0, 0.02, false);
+        CHECK(r.report.engine == Engine::exact);
+        for (const float v : r.image.rgb) {
+            CHECK(v < 1 + 1e-5F);
+            CHECK(v > 0.9F);
+        }
+        const double mean = mean_of(r.image.rgb, 1, 3);
+        CHECK(std::abs(mean + r.report.dropped - 1) < 1e-5);
+    }
+}
+
+TEST_CASE("exact beams and pixel beams make the same picture, polarisation included", "[views]") {
+    for (const Crystal& crystal : {glass(2.417), calcite(normalised(Vec3{0.3, 0.2, 1}))}) {
+        const Scene scene = parallel(crystal, lamps_and_slope());
+        const Rendering exact = rendered(scene, Engine::exact, 0, 0.01, true),
+                        beams = rendered(scene, Engine::beams, 512, 0, true);
+        const double noise =
+            std::max(0.003, 3 * beams.report.error * mean_of(beams.image.rgb, 1, 3));
+        CHECK(apart(exact.image.rgb, beams.image.rgb) < noise);
+        CHECK(apart(exact.image.rgb_stokes, beams.image.rgb_stokes) < noise);
+        CHECK(std::abs(mean_of(exact.image.rgb, 1, 3) - mean_of(beams.image.rgb, 1, 3)) < 0.003);
+    }
+}
+
+TEST_CASE("a dispersive stone has by exact beams the colours of sampled wavelengths", "[views]") {
+    Crystal crystal;
+    crystal.indices = {IndexFunction::cauchy(2.3784, 0.0134)};
+    const Scene scene = parallel(crystal, lamps_and_slope());
+    const Rendering exact = rendered(scene, Engine::exact, 24, 0.02, false),
+                    beams = rendered(scene, Engine::beams, 256, 0, false);
+    for (std::size_t c = 0; c < 3; ++c) {
+        CHECK(std::abs(mean_of(exact.image.rgb, c, 3) - mean_of(beams.image.rgb, c, 3)) < 0.006);
+    }
+    const Rendering again = rendered(scene, Engine::exact, 24, 0.02, false);
+    CHECK(exact.image.rgb == again.image.rgb);
+}
+
+TEST_CASE("exact beams are chosen for a lone isotropic stone in a parallel view", "[views]") {
+    Scene scene = parallel(glass(1.5), furnace());
+    CHECK(needs_of(scene).engine == Engine::exact);
+    CHECK(needs_of(scene, false, Engine::rays).engine == Engine::rays);
+    CHECK(needs_of(scene, false, Engine::beams).engine == Engine::beams);
+    scene.camera.kind = Camera::Kind::perspective;
+    CHECK(needs_of(scene).engine == Engine::beams);
+    CHECK_THROWS_WITH(rendered(scene, Engine::exact, 0, 0.1, false),
+                      Catch::Matchers::Contains("not orthographic"));
+    CHECK(needs_of(parallel(quartz({0, 0, 1}), furnace())).engine == Engine::beams);
+    CHECK(needs_of(parallel(quartz({0, 0, 1}), furnace()), false, Engine::exact).engine ==
+          Engine::exact);
+}
