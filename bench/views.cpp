@@ -1,10 +1,11 @@
-// Light left untraced against CPU seconds for parallel views, one core.
+// Light left untraced against CPU seconds for parallel views, one core; then against facets.
+#include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <ctime>
-#include <string>
+#include <numbers>
 
 #include "designs/design.hpp"
+#include "math/random.hpp"
 #include "views/light_return.hpp"
 
 using namespace icespar;
@@ -13,39 +14,61 @@ namespace {
 
 double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
+void row(const char* name, const char* how, const Stone& stone, const Medium& medium,
+         const ParallelView& view, double bound, bool symmetry) {
+    ViewOptions options;
+    options.bound = bound;
+    options.max_beams = 2'000'000;
+    options.symmetry = symmetry;
+    const double start = cpu_seconds();
+    const Exits exits = trace_view(stone, medium, view, options);
+    const double seconds = cpu_seconds() - start;
+    double traced = 0;
+    for (std::size_t i = 0; i < exits.size(); ++i) traced += exits.weight[i].s0 * exits.area[i];
+    traced *= static_cast<double>(exits.images.size());
+    const double whole = exits.area_total;
+    std::printf("%s,%s,%zu,%g,%.3f,%llu,%zu,%.5f,%.1e,%.1e,%.4f\n", name, how, stone.facets.size(),
+                bound, seconds, static_cast<unsigned long long>(exits.beams),
+                exits.size() * exits.images.size(), exits.untraced / whole, exits.gaps / whole,
+                (traced + exits.untraced) / whole - 1,
+                light_return(exits, {Dome::iso, -exits.frame.direction, 0}).value);
+    std::fflush(stdout);
+}
+
+/// Planes that touch the unit ball, evenly spread but for chance.
+Stone random_stone(int facets) {
+    Random random(static_cast<std::uint64_t>(facets));
+    std::vector<FacetPlane> planes;
+    for (int i = 0; i < facets; ++i) {
+        const double z = 1 - (2 * i + 2 * random.uniform()) / facets, r = std::sqrt(1 - z * z),
+                     turn = 2 * std::numbers::pi * (i / std::numbers::phi + 0.1 * random.uniform());
+        planes.push_back({{r * std::cos(turn), r * std::sin(turn), z}, 1.0});
+    }
+    return Stone::from_planes(planes);
+}
+
 }  // namespace
 
-int main(int argc, char** argv) {
-    const Stone stone = Stone::from_planes(
-        read_design(argc > 1 ? argv[1] : ICESPAR_SCENES_DIR "/designs/srb_tolkowsky_diamond.asc")
-            .planes());
+int main() {
+    const Stone brilliant = Stone::from_planes(
+        read_design(ICESPAR_SCENES_DIR "/designs/srb_tolkowsky_diamond.asc").planes());
     struct Case {
         const char* name;
         Medium medium;
     };
     const Case cases[] = {{"isotropic", Medium::isotropic(2.42)},
                           {"zircon", Medium::uniaxial(1.925, 1.984, {0, 0, 1})},
+                          {"quartz", Medium::uniaxial(1.5443, 1.5534, {0, 0, 1})},
                           {"topaz", Medium::biaxial({1.619, 1.621, 1.627}, {1, 0, 0}, {0, 1, 0})}};
-    std::puts("medium,bound,seconds,beams,exits,untraced,gaps,traced+untraced-1,ISO");
+    std::puts("medium,view,facets,bound,seconds,beams,exits,untraced,gaps,traced+untraced-1,ISO");
     for (const Case& c : cases) {
         for (const double bound : {0.02, 0.01, 0.005, 0.002, 0.001}) {
-            ViewOptions options;
-            options.bound = bound;
-            options.max_beams = 20'000'000;
-            const double start = cpu_seconds();
-            const Exits exits = trace_view(stone, c.medium, {}, options);
-            const double seconds = cpu_seconds() - start;
-            double traced = 0;
-            for (std::size_t i = 0; i < exits.size(); ++i) {
-                traced += exits.weight[i].s0 * exits.area[i];
-            }
-            traced *= static_cast<double>(exits.images.size());
-            const double whole = exits.area_total;
-            std::printf("%s,%g,%.3f,%llu,%zu,%.3g,%.1e,%.1e,%.4f\n", c.name, bound, seconds,
-                        static_cast<unsigned long long>(exits.beams), exits.size(),
-                        exits.untraced / whole, exits.gaps / whole,
-                        (traced + exits.untraced) / whole - 1, light_return(exits, {}).value);
-            std::fflush(stdout);
+            row(c.name, "face-up", brilliant, c.medium, {}, bound, true);
+            row(c.name, "face-up without symmetry", brilliant, c.medium, {}, bound, false);
+            row(c.name, "tilted", brilliant, c.medium, {{0.1, 0.23, -1}}, bound, true);
         }
+    }
+    for (const int facets : {20, 50, 100, 200, 500, 1000}) {
+        row("isotropic", "random", random_stone(facets), Medium::isotropic(1.8), {}, 0.01, true);
     }
 }
