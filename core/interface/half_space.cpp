@@ -118,7 +118,10 @@ void HalfSpace<R>::uniaxial(const Medium& medium, const FaceAxes<R>& face, const
     }
     C o_out = qo_root, o_in = -qo_root, e_out = (w - X) / eg, e_in = (-w - X) / eg;
     if (known && known->mode == 0) o_in = known->q, o_out = -known->q;
-    if (known && known->mode == 1) e_in = known->q, e_out = R(-2) * X / eg - known->q;
+    if (known && known->mode == 1) {
+        e_in = known->q, e_out = R(-2) * X / eg - known->q;
+        if (lossless) w = -(eg * known->q + X);
+    }
     separation = std::min(std::abs(o_out - o_in), std::abs(e_out - e_in)) / std::abs(n_o);
 
     propagating = {!lossless || qo_root.imag() == 0, !lossless || w.imag() == 0};
@@ -136,6 +139,13 @@ void HalfSpace<R>::uniaxial(const Medium& medium, const FaceAxes<R>& face, const
                                       : (-kc / eo * (ka / m)) * a + (-kc / eo * (kb / m)) * b +
                                             ((ka + i * kb) / m * (ka - i * kb) / ee) * c;
     set_mode(1, K, e_out, e_field, s);
+    if (lossless) {
+        // The energy of o flows along k. Of e, with a field as above, it is eps k / (eo ee).
+        const R amplitude = length(e_field);
+        if (propagating[0]) flux[0] = s * o_out.real();
+        if (propagating[1]) flux[1] = s * w.real() / (amplitude * amplitude * (eo * ee).real());
+        if (known && known->mode == 0) incident_flux = -s * known->q.real();
+    }
 
     C overlap = 0;
     std::array<R, 2> norm{};
