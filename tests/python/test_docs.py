@@ -1,5 +1,6 @@
 """What the documentation shows works, and every file it names exists."""
 
+import math
 import re
 
 import pytest
@@ -33,6 +34,16 @@ def test_the_report_pages_python_runs(root, monkeypatch):
     monkeypatch.chdir(root)
     (example,) = blocks(root, "python", "docs/report.md")
     exec(compile(example, "docs/report.md", "exec"), {})
+
+
+def test_the_page_on_exact_beams_runs(root, monkeypatch):
+    monkeypatch.chdir(root)
+    (example,) = blocks(root, "python", "docs/exact_beams.md")
+    names = {}
+    exec(compile(example, "docs/exact_beams.md", "exec"), names)
+    assert names["slope"](41.3, 1e-5) == pytest.approx(names["slope"](41.3, 1e-4), rel=1e-6)
+    # The mains are best at the critical angle: any flatter and light from straight above goes through.
+    assert names["high"] == pytest.approx(math.degrees(math.asin(1 / names["n"])), abs=0.01)
 
 
 def test_the_readmes_scene_has_no_fault(root):
