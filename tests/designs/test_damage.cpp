@@ -16,8 +16,8 @@ namespace {
 
 // The sanitizers take twenty times as long.
 #ifdef __SANITIZE_ADDRESS__
-constexpr int flips = 5'000;
-constexpr std::size_t stride = 17;
+constexpr int flips = 20'000;
+constexpr std::size_t stride = 5;
 #else
 constexpr int flips = 100'000;
 constexpr std::size_t stride = 1;
