@@ -27,22 +27,22 @@ Numbers = dict[str, tuple[float, float]]
 
 #: What each number is, for readers of a report. All are parts of the face-up picture's area, in percent.
 MEANING = {
-    "iso": "light return, GemRay's ISO: the sky is white down to the horizon, but for the observer's head",
-    "cosine": "light return, GemRay's COS: the sky fades with the cosine of the angle from the zenith",
-    "sc2": "light return, GemRay's SC2: the sky is brightest at 45 degrees, 2 sine cosine",
-    "table_iso": "the same of the table alone, ISO",
-    "table_cosine": "of the table alone, COS",
-    "table_sc2": "of the table alone, SC2",
+    "iso": "GemRay's ISO: the sky is white down to the horizon, but for the observer's head",
+    "cosine": "GemRay's COS: the sky fades with the cosine of the angle from the zenith",
+    "sc2": "GemRay's SC2: the sky is brightest at 45 degrees, 2 sine cosine",
+    "table_iso": "ISO of the table alone",
+    "table_cosine": "COS of the table alone",
+    "table_sc2": "SC2 of the table alone",
     "leakage": "light that comes from below the horizon, where a setting is dark",
     "window": "the part of the leakage that passes straight through, in by one facet and out by the next",
     "extinction": "light that comes from the observer's head, which is dark",
-    "aset_red": "ASET red: from 45 degrees to the head's edge",
-    "aset_green": "ASET green: from the horizon up to 45 degrees",
-    "aset_blue": "ASET blue: from the head",
-    "aset_black": "ASET black: from below",
-    "idealscope_red": "Ideal-Scope red: from above, beside the head",
-    "idealscope_black": "Ideal-Scope black: from the head",
-    "idealscope_white": "Ideal-Scope white: from below",
+    "aset_red": "what ASET shows red: from 45 degrees above the horizon to the head's edge",
+    "aset_green": "green: from the horizon up to 45 degrees",
+    "aset_blue": "blue: from the head",
+    "aset_black": "black: from below",
+    "idealscope_red": "what Ideal-Scope shows red: from above, beside the head",
+    "idealscope_black": "black: from the head",
+    "idealscope_white": "white: from below",
     "fire": (
         "our own: the part of the light from above that comes from another patch of sky, or by another facet, in blue (F line)"
         f" than in red (C line); patches of {LAMP:g} degrees, the size of a lamp"
