@@ -80,12 +80,10 @@ private:
     double scale_ = 0;
 };
 
-bool keeps(const PictureImage& image, const Medium& medium, const PictureFrame& frame) {
-    if (!medium.birefringent) return true;
-    const ComplexTensor eps = medium.permittivity();
+bool keeps(const PictureImage& image, const RealTensor& tensor, const PictureFrame& frame) {
     for (const Vec3& v : {frame.right, frame.up, frame.direction}) {
-        const Vec3 field = real(eps * complexified(v));
-        const Vec3 apart = real(eps * complexified(image.of(v, frame))) - image.of(field, frame);
+        const Vec3 field = tensor * v;
+        const Vec3 apart = tensor * image.of(v, frame) - image.of(field, frame);
         if (length(apart) > rounding * length(field)) return false;
     }
     return true;
@@ -142,7 +140,8 @@ ViewSymmetry no_symmetry(const Stone& stone) {
     return {{identity}, {}};
 }
 
-ViewSymmetry symmetry_of(const Stone& stone, const Medium& medium, const PictureFrame& frame) {
+ViewSymmetry symmetry_of(const Stone& stone, const Medium& medium, const RealTensor& loss,
+                         const PictureFrame& frame) {
     const Vec3 centre = centroid_of(stone);
     const SeenFacets facets(stone, frame, centre);
     // The facet that has the fewest like it, among those that lean at all.
@@ -174,7 +173,8 @@ ViewSymmetry symmetry_of(const Stone& stone, const Medium& medium, const Picture
             image.centre = at;
             image.right = {a.x * b.x + side * a.y * b.y, a.x * b.y - side * a.y * b.x};
             image.up = {a.y * b.x - side * a.x * b.y, a.y * b.y + side * a.x * b.x};
-            if (!keeps(image, medium, frame)) continue;
+            if (!keeps(image, real(medium.permittivity()), frame)) continue;
+            if (!keeps(image, loss, frame)) continue;
             if (auto whole = completed(std::move(image), facets)) {
                 out.images.push_back(std::move(*whole));
             }

@@ -15,7 +15,7 @@ struct ViewSymmetry {
 
 /// True to 1e-12; only the identity for a view along which there is no more.
 [[nodiscard]] ViewSymmetry symmetry_of(const Stone& stone, const Medium& medium,
-                                       const PictureFrame& frame);
+                                       const RealTensor& loss, const PictureFrame& frame);
 /// The identity alone.
 [[nodiscard]] ViewSymmetry no_symmetry(const Stone& stone);
 

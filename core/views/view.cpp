@@ -2,6 +2,8 @@
 #include "views/view.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <string>
 
 #include "math/error.hpp"
 #include "views/view_tracer.hpp"
@@ -22,7 +24,10 @@ void check(const Medium& medium, const ParallelView& view, const ViewOptions& op
         options.max_hits == 0) {
         throw Error("a view needs an end: give a bound, max_beams, a time or max_hits");
     }
-    if (medium.absorbing) throw Error("views know transparent media; give real indices");
+    if (medium.absorbing) {
+        throw Error(
+            "waves of a view are those of a clear stone; give real indices and an absorption");
+    }
     if (medium.active()) throw Error("views do not know optical activity; leave the rotation out");
     if (medium.birefringent && options.weights == Weights::averaged) {
         throw Error("a birefringent stone has no averaged light; ask for intensity or stokes");
@@ -33,6 +38,39 @@ void check(const Medium& medium, const ParallelView& view, const ViewOptions& op
 }
 
 }  // namespace
+
+bool Absorption::none() const {
+    const RealTensor& t = tensor;
+    return per_length == 0 && t.xx == 0 && t.yy == 0 && t.zz == 0 && t.yz == 0 && t.xz == 0 &&
+           t.xy == 0;
+}
+
+Absorption absorption_of(const Medium& medium, std::span<const double> per_length) {
+    const std::size_t axes = static_cast<std::size_t>(medium.symmetry) + 1;
+    if (per_length.size() != axes) {
+        throw Error("absorption: a medium of " + std::to_string(axes) +
+                    (axes == 1 ? " index needs 1 number" : " indices needs as many numbers"));
+    }
+    for (const double a : per_length) {
+        if (!(a >= 0) || !std::isfinite(a)) {
+            throw Error("absorption must be finite and not negative");
+        }
+    }
+    Absorption out;
+    if (medium.symmetry == Symmetry::biaxial) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            out.tensor =
+                out.tensor + (medium.n_principal[i] * per_length[i]) * dyad(medium.principal[i]);
+        }
+        return out;
+    }
+    const double across = medium.n_o * per_length[0];
+    out.tensor = RealTensor::diagonal(across, across, across);
+    if (axes == 2) {
+        out.tensor = out.tensor + (medium.n_e * per_length[1] - across) * dyad(medium.axis);
+    }
+    return out;
+}
 
 Exits Exits::expanded() const {
     Exits out = *this;
@@ -64,7 +102,7 @@ Exits Exits::expanded() const {
 }
 
 Exits trace_view(const Stone& stone, const Medium& medium, const ParallelView& view,
-                 const ViewOptions& options) {
+                 const ViewOptions& options, const Absorption& absorption) {
     check(medium, view, options);
     PictureFrame frame;
     frame.direction = normalised(view.direction);
@@ -72,7 +110,7 @@ Exits trace_view(const Stone& stone, const Medium& medium, const ParallelView& v
     frame.up = cross(frame.right, frame.direction);
     Exits out;
     const auto run = [&]<class Response, bool crystal>() {
-        ViewTracer<Response, crystal>(stone, medium, frame, options, out).run();
+        ViewTracer<Response, crystal>(stone, medium, absorption, frame, options, out).run();
     };
     const bool stokes = options.weights == Weights::stokes;
     if (medium.birefringent) {

@@ -4,10 +4,12 @@
 
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "beams/polygon.hpp"
 #include "crystal/medium.hpp"
+#include "math/symmetric.hpp"
 #include "math/vec3.hpp"
 #include "polarisation/stokes.hpp"
 #include "stone/stone.hpp"
@@ -19,6 +21,21 @@ namespace icespar {
 struct ParallelView {
     Vec3 direction{0, 0, -1}, up{0, 1, 0};
 };
+
+/// What a stone takes from light on its way, its waves and facets being those of the clear stone.
+struct Absorption {
+    /// k0 Im eps, per unit of length: a wave of unit field E loses E . tensor E / (k . ray) of its
+    /// power per length of its ray.
+    RealTensor tensor{};
+    double per_length = 0;  ///< besides, of every wave
+
+    [[nodiscard]] bool none() const;
+};
+
+/// From what light loses per length along each principal axis of a clear medium: one number
+/// (isotropic), two (uniaxial: across the axis, along it), three (biaxial, by rising index). Throws
+/// Error for another number of them, and for what is negative or not finite.
+[[nodiscard]] Absorption absorption_of(const Medium& medium, std::span<const double> per_length);
 
 /// What is carried along a beam. Averaged: s and p are averaged at every face, as programs do that
 /// know no polarisation; isotropic stones only.
@@ -66,8 +83,10 @@ struct Exits {
 
     PictureFrame frame;
     std::vector<Vec3> direction;  ///< unit, away from the stone, against the light
-    std::vector<Stokes> weight;   ///< what the viewer sees of unpolarised radiance 1 from there
-    std::vector<double> area;     ///< in the picture, in the stone's units of length squared
+    /// What the viewer sees of unpolarised radiance 1 from there; the mean over the beam, if the
+    /// stone absorbs.
+    std::vector<Stokes> weight;
+    std::vector<double> area;  ///< in the picture, in the stone's units of length squared
     std::vector<std::int32_t> entry, facet;  ///< where it meets the stone, and where it leaves it
     std::vector<std::int32_t> hits;          ///< interface events, both included
 
@@ -79,6 +98,7 @@ struct Exits {
     /// of what was not followed, and of what `max_hits` and `least_power` ended.
     std::vector<double> entry_area, entry_untraced, entry_cut;
     double area_total = 0, untraced = 0, cut = 0;  ///< their sums
+    double absorbed = 0;                           ///< weight times area that the stone kept
     std::uint64_t beams = 0;                       ///< followed from one facet to the next ones
     /// Area that rounding lost between facets (its light counts as untraced) or gave twice.
     double gaps = 0;
@@ -93,6 +113,6 @@ struct Exits {
 /// direction, options out of range, and media that absorb, turn polarisation or, where s and p are
 /// averaged, are birefringent.
 [[nodiscard]] Exits trace_view(const Stone& stone, const Medium& medium, const ParallelView& view,
-                               const ViewOptions& options = {});
+                               const ViewOptions& options = {}, const Absorption& absorption = {});
 
 }  // namespace icespar

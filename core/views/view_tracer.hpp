@@ -11,6 +11,7 @@
 #include "views/beam_queue.hpp"
 #include "views/facet_cells.hpp"
 #include "views/symmetry.hpp"
+#include "views/transmission.hpp"
 #include "views/view.hpp"
 
 namespace icespar {
@@ -21,13 +22,15 @@ namespace icespar {
 template <class Response, bool crystal>
 class ViewTracer {
 public:
-    ViewTracer(const Stone& stone, const Medium& medium, const PictureFrame& frame,
-               const ViewOptions& options, Exits& out)
+    ViewTracer(const Stone& stone, const Medium& medium, const Absorption& absorption,
+               const PictureFrame& frame, const ViewOptions& options, Exits& out)
         : stone_(stone),
           cells_(stone),
           air_(Medium::isotropic(1)),
           medium_(medium),
           modes_(modes_of(medium)),
+          absorption_(absorption),
+          absorbing_(!absorption.none()),
           frame_(frame),
           options_(options),
           out_(out) {}
@@ -47,11 +50,11 @@ public:
         }
         const double bound = options_.bound * out_.area_total;
         while (waiting_ > bound && may_go_on() && queue_.pop(beam_, polygon_)) {
-            waiting_ -= beam_.area * beam_.response.power();
+            waiting_ -= weight_of(beam_);
             ++out_.beams;
             advance();
         }
-        queue_.each([&](const Beam& b) { give_up(b.entry, b.area * b.response.power()); });
+        queue_.each([&](const Beam& b) { give_up(b.entry, weight_of(b)); });
         unfold();
     }
 
@@ -72,9 +75,15 @@ private:
         Vec3 s;  ///< a crystal's mode: its E
         typename Carried<Response, crystal>::type response;
         double area;
+        Affine depth;       ///< optical, at each point of the polygon
+        double passed = 1;  ///< the mean over the polygon of what it leaves
         int entry, left, hits, corners;
         int mode;
     };
+
+    [[nodiscard]] static double weight_of(const Beam& b) {
+        return b.area * b.passed * b.response.power();
+    }
 
     [[nodiscard]] bool may_go_on() const {
         if (options_.max_beams > 0 && out_.beams >= options_.max_beams) return false;
@@ -88,7 +97,7 @@ private:
     /// One sector of a symmetric view is enough.
     void fold() {
         const double whole = out_.area_total;
-        symmetry_ = symmetry_of(stone_, medium_, frame_);
+        symmetry_ = symmetry_of(stone_, medium_, absorption_.tensor, frame_);
         measure();
         // Rounding may hide a part of the symmetry, so that sectors would not fill the picture.
         constexpr double rounding = 1e-12;
@@ -114,6 +123,7 @@ private:
         whole(out_.entry_untraced, out_.untraced);
         whole(out_.entry_cut, out_.cut);
         out_.gaps *= static_cast<double>(symmetry_.images.size());
+        out_.absorbed *= static_cast<double>(symmetry_.images.size());
     }
 
     /// The outline of a facet in the picture, within the sector.
@@ -191,6 +201,7 @@ private:
     void advance() {
         const Beam before = beam_;
         const Vec3 along = flow();
+        if (absorbing_) rate_ = loss_along(along);
         double met = 0;
         for (const FacetCells::Piece& piece :
              cells_.divide(before.place, along, before.left, polygon_, extent(polygon_).centroid)) {
@@ -203,11 +214,34 @@ private:
             beam_.left = piece.facet;
             ++beam_.hits;
             piece_ = piece.polygon;
+            if (absorbing_) absorb(before, piece);
             meet(cells_.facets().normal(piece.facet));
         }
         const double gap = std::abs(before.area - met);
         out_.gaps += gap;
-        give_up(before.entry, gap * before.response.power());
+        give_up(before.entry, gap * before.passed * before.response.power());
+    }
+
+    /// On the way of beam_ to its facet.
+    void absorb(const Beam& before, const FacetCells::Piece& piece) {
+        const Affine& t = piece.distance;
+        beam_.depth = {before.depth.value + rate_ * t.value, before.depth.dx + rate_ * t.dx,
+                       before.depth.dy + rate_ * t.dy};
+        beam_.passed = mean_transmission(piece.polygon, beam_.depth);
+        const double arrived = mean_transmission(piece.polygon, before.depth);
+        out_.absorbed += beam_.area * (arrived - beam_.passed) * before.response.power();
+    }
+
+    /// What a beam loses per multiple of its flow.
+    [[nodiscard]] double loss_along(const Vec3& along) const {
+        const double size2 = dot(along, along);
+        double loss = absorption_.per_length * std::sqrt(size2);
+        if constexpr (crystal) {
+            loss += dot(beam_.s, absorption_.tensor * beam_.s) * size2 / dot(beam_.k, along);
+        } else {
+            loss += absorption_.tensor.xx;
+        }
+        return loss;
     }
 
     void meet(const Vec3& normal) {
@@ -256,10 +290,10 @@ private:
 
     /// Goes on from a face, where part of the light may have left, with what is in beam_.
     void send(bool thinned) {
-        const double power = beam_.response.power(), weight = beam_.area * power;
+        const double power = beam_.response.power(), weight = weight_of(beam_);
         if (!(weight > 0)) return;
         const bool ends = options_.max_hits > 0 && beam_.hits >= options_.max_hits;
-        if (ends || (thinned && power < options_.least_power)) return cut(weight);
+        if (ends || (thinned && beam_.passed * power < options_.least_power)) return cut(weight);
         waiting_ += weight;
         queue_.push(beam_, weight / out_.area_total,
                     beam_.hits == 1 ? PolygonView(polygon_) : PolygonView(piece_));
@@ -267,7 +301,7 @@ private:
 
     void leave(const Vec3& k, const Pair& response) {
         out_.direction.push_back(normalised(k));
-        out_.weight.push_back(response.unpolarised());
+        out_.weight.push_back(beam_.passed * response.unpolarised());
         out_.area.push_back(beam_.area);
         out_.entry.push_back(beam_.entry);
         out_.facet.push_back(beam_.left);
@@ -291,6 +325,9 @@ private:
     FacetCells cells_;
     Medium air_, medium_;
     std::array<Mode, 2> modes_;
+    Absorption absorption_;
+    bool absorbing_;
+    double rate_ = 0;  ///< of the beam that goes on
     PictureFrame frame_;
     ViewOptions options_;
     Exits& out_;

@@ -15,7 +15,7 @@ namespace {
 using namespace py::literals;
 
 Exits traced(const Stone& stone, const Medium& medium, const py::object& direction,
-             const py::object& up, ViewOptions options) {
+             const py::object& up, const std::vector<double>& absorption, ViewOptions options) {
     const ParallelView view{vector(direction, "direction"), vector(up, "up")};
     bool raised = false;
     options.go_on = [&] {
@@ -23,10 +23,11 @@ Exits traced(const Stone& stone, const Medium& medium, const py::object& directi
         raised = PyErr_CheckSignals() != 0;
         return !raised;
     };
+    const Absorption colour = absorption.empty() ? Absorption{} : absorption_of(medium, absorption);
     Exits exits;
     {
         const py::gil_scoped_release unlocked;
-        exits = trace_view(stone, medium, view, options);
+        exits = trace_view(stone, medium, view, options, colour);
     }
     if (raised) throw py::error_already_set();
     return exits;
@@ -91,6 +92,7 @@ void bind_view(py::module_& module) {
         .def_readonly("area_total", &Exits::area_total)
         .def_readonly("untraced", &Exits::untraced)
         .def_readonly("cut", &Exits::cut)
+        .def_readonly("absorbed", &Exits::absorbed)
         .def_readonly("beams", &Exits::beams)
         .def("expanded", [](const Exits& e) {
             const py::gil_scoped_release unlocked;
@@ -100,13 +102,14 @@ void bind_view(py::module_& module) {
         "trace_view",
         [](const Stone& stone, const Medium& medium, const py::object& direction,
            const py::object& up, Weights weights, double bound, std::uint64_t max_beams,
-           double seconds, int max_hits, double least_power) {
+           double seconds, int max_hits, double least_power,
+           const std::vector<double>& absorption) {
             return traced(
-                stone, medium, direction, up,
+                stone, medium, direction, up, absorption,
                 {weights, bound, max_beams, seconds, max_hits, least_power, true, false, {}});
         },
         "stone"_a, "medium"_a, py::kw_only(), "direction"_a, "up"_a, "weights"_a, "bound"_a,
-        "max_beams"_a, "seconds"_a, "max_hits"_a, "least_power"_a);
+        "max_beams"_a, "seconds"_a, "max_hits"_a, "least_power"_a, "absorption"_a);
     module.def("light_return", &returned, "exits"_a, "dome"_a, "zenith"_a, "head"_a, "facet"_a);
     module.def("table_facet", &table_facet, "stone"_a);
 }

@@ -98,6 +98,11 @@ class View:
         return self._exits.cut / self._exits.area_total
 
     @property
+    def absorbed(self) -> float:
+        """The part of all light that the stone kept."""
+        return self._exits.absorbed / self._exits.area_total
+
+    @property
     def beams(self) -> int:
         """How many were followed from one facet to the next; images in a symmetric view are not counted."""
         return self._exits.beams
@@ -165,6 +170,8 @@ def view(
     wavelength_nm: float = 589.3,
     axis: ArrayLike | None = None,
     axes: ArrayLike | None = None,
+    colour: str | None = None,
+    absorption: ArrayLike | None = None,
     bound: float = 1e-3,
     max_beams: int = 2_000_000,
     time: float | None = None,
@@ -176,8 +183,10 @@ def view(
     one direction and one weight.
 
     The heaviest beams are followed first, until no more than `bound` of all light is left, or `max_beams` or `time`
-    (seconds) are used up; what is left bounds the error of every number. The stone is clear; a mineral is taken at
-    `wavelength_nm`, with its optic axis or axes as in `Mineral.medium`. `max_hits` ends each path after so many faces.
+    (seconds) are used up; what is left bounds the error of every number. A mineral is taken at `wavelength_nm`, with its optic
+    axis or axes as in `Mineral.medium`. The stone is clear, unless it has a `colour` of `Mineral.colours`, or an `absorption`
+    per unit of length (a colour's is per mm) for light polarised along each principal axis: one number, two (across the
+    optic axis, along it), or three by rising index; a beam's weight is then its mean. `max_hits` ends each path after so many faces.
     `stokes` keeps the polarisation. `cutoff="gemray"` traces as GemRay 1.2 does (no polarisation, ten faces, nothing below
     a thousandth), for comparison with its numbers; isotropic stones only.
     """
@@ -188,6 +197,11 @@ def view(
     weights = _core.Weights.stokes if stokes else _core.Weights.intensity
     rules = {"weights": weights, "max_hits": max_hits or 0, "least_power": 0.0}
     medium = _medium(material, wavelength_nm, axis, axes)
+    if colour is not None:
+        if absorption is not None or isinstance(material, Medium):
+            raise Error("colour is one of a mineral's; give absorption alone for others")
+        found = mineral(material) if isinstance(material, str) else material
+        absorption = found.absorption(colour, wavelength_nm)
     exits = _core.trace_view(
         stone,
         medium,
@@ -196,6 +210,7 @@ def view(
         bound=bound,
         max_beams=max_beams,
         seconds=time or 0.0,
+        absorption=[] if absorption is None else np.atleast_1d(np.asarray(absorption, float)).tolist(),
         **(_GEMRAY if cutoff else rules),
     )
     return View(stone, medium, direction, exits, stokes)

@@ -85,6 +85,20 @@ def test_polarisation(brilliant):
     assert view.light_return().value == pytest.approx(plain.light_return().value, abs=1e-12)
 
 
+def test_coloured_stones_keep_light(brilliant):
+    glass = icespar.Medium.isotropic(1.76)
+    red = icespar.view(brilliant, glass, absorption=0.3, bound=0.01)
+    assert red.absorbed > 0.2
+    assert (red.weight * red.area).sum() / red.area_total + red.untraced + red.absorbed == pytest.approx(1, abs=1e-11)
+    assert red.light_return().value < icespar.view(brilliant, glass, bound=0.01).light_return().value
+    across, along = (
+        icespar.view(brilliant, "tourmaline", axis=axis, absorption=(2, 0), bound=0.01) for axis in ((0, 0, 1), (1, 0, 0))
+    )
+    assert across.absorbed > along.absorbed > 0
+    name = icespar.mineral("corundum").colours[0]
+    assert icespar.view(brilliant, "corundum", colour=name, bound=0.02).absorbed > 0
+
+
 def test_calls_that_cannot_be_carried_out(brilliant):
     glass = icespar.Medium.isotropic(1.5)
     view = icespar.view(brilliant, glass, bound=0.1)
@@ -97,6 +111,10 @@ def test_calls_that_cannot_be_carried_out(brilliant):
         lambda: icespar.view(brilliant, glass, bound=-1),
         lambda: icespar.view(brilliant, glass, bound=0, max_beams=0),
         lambda: icespar.view(brilliant, "zircon", cutoff="gemray"),
+        lambda: icespar.view(brilliant, glass, absorption=(1, 2)),
+        lambda: icespar.view(brilliant, glass, absorption=-1),
+        lambda: icespar.view(brilliant, glass, colour="ruby"),
+        lambda: icespar.view(brilliant, "corundum", colour="no such colour"),
         lambda: view.light_return("moon"),
         lambda: view.light_return(head_shadow=100),
         lambda: view.light_return(lambda d: 1.0),

@@ -205,7 +205,7 @@ TEST_CASE("a view that cannot be traced says why", "[views]") {
     refused(glass_of_2, {{0, 1, 0}, {0, 1, 0}}, {}, "up");
     refused(glass_of_2, {}, within(0, 0), "end");
     refused(glass_of_2, {}, within(-1, 0), "bound");
-    refused(Medium::isotropic(Complex(2, 0.1)), {}, {}, "transparent");
+    refused(Medium::isotropic(Complex(2, 0.1)), {}, {}, "clear stone");
     refused(Medium::isotropic(0.9), {}, {}, "index 1");
     refused(Medium::active(1.54, 1.55, {0, 0, 1}, 21, 589), {}, {}, "rotation");
     ViewOptions averaged;

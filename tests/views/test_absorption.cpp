@@ -1,0 +1,122 @@
+// Stones that absorb, in parallel views.
+#include <catch2/catch.hpp>
+
+#include "support/gem_scenes.hpp"
+#include "views/transmission.hpp"
+#include "views/view.hpp"
+
+using namespace icespar;
+using namespace icespar::testing;
+
+TEST_CASE("what passes through a wedge is the mean over its thickness", "[views]") {
+    // Over the unit square exp(-a - b x - c y) is a product of two means.
+    const Polygon square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+    const auto mean = [](double slope) { return slope == 0 ? 1 : -std::expm1(-slope) / slope; };
+    for (const double b : {0.0, 1e-9, 1e-3, 0.02, 0.049, 0.06, 1.0, 7.0}) {
+        for (const double c : {0.0, 1e-6, 0.03, 0.2, 3.0, -2.0}) {
+            const double exact = std::exp(-0.4) * mean(b) * mean(c);
+            CAPTURE(b, c);
+            CHECK(std::abs(mean_transmission(square, {0.4, b, c}) / exact - 1) < 1e-12);
+        }
+    }
+}
+
+TEST_CASE("a plate that absorbs transmits and reflects as the sum over its echoes", "[views]") {
+    // Along the axis of a uniaxial plate both waves see the ordinary index and absorption.
+    constexpr double n = 1.6, alpha = 0.3, thickness = 2;
+    constexpr double r = (n - 1) * (n - 1) / ((n + 1) * (n + 1));
+    const double t = std::exp(-alpha * thickness);
+    const double echoes = (1 - r) * (1 - r) * t / (1 - r * r * t * t);
+    Absorption ordinary;
+    ordinary.tensor = RealTensor::diagonal(n * alpha, n * alpha, 5);
+    Absorption grey;
+    grey.per_length = alpha;
+    struct Case {
+        Medium medium;
+        Absorption absorption;
+    };
+    const Case cases[] = {
+        {Medium::uniaxial(n, 1.5, {0, 0, 1}), ordinary},
+        {Medium::uniaxial(n, 1.5, {0, 0, 1}), grey},
+        {Medium::isotropic(n), {RealTensor::diagonal(n * alpha, n * alpha, n * alpha)}},
+        {Medium::isotropic(n), grey}};
+    for (const Case& c : cases) {
+        ViewOptions options;
+        options.bound = 0;
+        options.max_beams = 200;
+        const Exits e = trace_view(cube_stone(), c.medium, {}, options, c.absorption);
+        double back = 0, through = 0;
+        for (std::size_t i = 0; i < e.size(); ++i) {
+            (e.direction[i].z > 0 ? back : through) += e.weight[i].s0 * e.area[i];
+        }
+        const double part = static_cast<double>(e.images.size()) / e.area_total;
+        CHECK(std::abs(part * through - echoes) < 1e-14);
+        CHECK(std::abs(part * back - (r + r * t * echoes)) < 1e-14);
+        CHECK(std::abs(e.absorbed / e.area_total - (1 - r - echoes - r * t * echoes)) < 1e-14);
+    }
+}
+
+TEST_CASE("what coloured stones return, keep and leave untraced is all light", "[views][furnace]") {
+    icespar::testing::Random random(21);
+    for (int i = 0; i < 12; ++i) {
+        const Vec3 axis = random.direction();
+        const Medium medium =
+            i % 2 == 0 ? Medium::isotropic(1.76) : Medium::uniaxial(1.77, 1.76, axis);
+        Absorption colour;
+        colour.tensor = RealTensor::diagonal(0.4, 0.4, 0.4);
+        if (i % 2 == 1) colour.tensor = colour.tensor + 1.5 * dyad(axis);
+        colour.per_length = 0.05 * i;
+        ViewOptions options;
+        options.max_beams = 2000;
+        const Exits e =
+            trace_view(brilliant_stone(), medium, {random.direction(), axis}, options, colour);
+        double traced = 0;
+        for (std::size_t x = 0; x < e.size(); ++x) traced += e.weight[x].s0 * e.area[x];
+        traced *= static_cast<double>(e.images.size());
+        CHECK(std::abs(traced + e.untraced + e.absorbed - e.area_total) < 1e-11 * e.area_total);
+        CHECK(e.absorbed > 0.1 * e.area_total);
+    }
+}
+
+TEST_CASE("a coloured stone returns what its rays return, on average", "[views]") {
+    const Vec3 axis = normalised(Vec3{1, 0.4, 0.3});
+    Crystal crystal = uniaxial(1.642, 1.622, axis);
+    crystal.absorption = {Spectrum(1.2), Spectrum(0.2)};
+    Scene scene = scene_of(brilliant_stone(), crystal, slope(axis));
+    scene.environment.illuminant = Spectrum(1.0);
+    Absorption colour;
+    const double across = 1.642 * 1.2, along = 1.622 * 0.2;
+    colour.tensor = RealTensor::diagonal(across, across, across) + (along - across) * dyad(axis);
+    ViewOptions options;
+    options.bound = 2e-3;
+    options.outlines = true;
+    const Exits e =
+        trace_view(scene.gems[0].stone, Medium::uniaxial(1.642, 1.622, axis), {}, options, colour);
+    double seen = 0;
+    for (std::size_t i = 0; i < e.size(); ++i) {
+        for (const PictureImage& image : e.images) {
+            seen += e.weight[i].s0 * e.area[i] * 0.5 *
+                    (1 + dot(image.of(e.direction[i], e.frame), axis));
+        }
+    }
+    // Rays on a grid over the table, beside which the stone is not counted.
+    std::vector<SensorRay> rays;
+    constexpr int grid = 70;
+    for (int y = 0; y < grid; ++y) {
+        for (int x = 0; x < grid; ++x) {
+            rays.push_back({{2.2 * ((x + 0.5) / grid - 0.5), 2.2 * ((y + 0.5) / grid - 0.5), 5},
+                            {0, 0, -1},
+                            {1, 0, 0}});
+        }
+    }
+    TraceOptions how;
+    how.wavelength_nm = 550;
+    how.threshold = 1e-3;
+    const double beside = 0.5 * (1 - axis.z);
+    double sum = 0;
+    for (const Stokes& s : trace(scene, rays, how).stokes) {
+        if (std::abs(s.s0 - beside) > 1e-12) sum += s.s0;
+    }
+    const double mean = sum * 2.2 * 2.2 / (grid * grid);
+    CHECK(std::abs(mean - seen) < 0.01 * mean);
+}
