@@ -79,6 +79,12 @@ Above, sheets that delay one polarisation by 0, 50, 100 ... 1900 nm: grey, white
 at 550 nm, and so on through the second and third order, in the sequence of the chart of Michel-Levy. Below, slices of calcite
 turned from 0 to 90 degrees: the first and the last are there, and dark. Their o and e are added as powers: a slice
 so thick has no colours."""),
+    ("polariscope", RENDER, {"size": "480x160", "spp": 32}, levels, """\
+Doubly refractive stones turn light four times and are dark four times in a turn; spinel on the right stays dark. With
+`--frames 1-36` the stones turn. `docs/notebooks/polariscope.ipynb` measures it, with the dichroscope and Brewster's angle."""),
+    ("calcite_analyser", RENDER, {"size": "320x160", "spp": 48}, levels, """\
+The ordinary image on the left is where the dot is; the extraordinary one, a walk-off of 0.22 mm beside it, has coloured rims because
+the walk-off changes with the wavelength. At 90 degrees the right one vanishes, at 0 the left one."""),
 ]
 
 
