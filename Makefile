@@ -20,7 +20,7 @@ help:
 	@echo 'make accuracy measure the interface along every axis of stress, and draw docs/accuracy anew'
 	@echo 'make gallery render the pictures of docs/gallery.md anew'
 	@echo 'make editors write the grammar for editors anew, after a change of the language'
-	@echo 'make fuzz    feed the readers of files with nonsense for FUZZ_SECONDS (60) each, with clang'
+	@echo 'make fuzz    feed the readers of files with nonsense for FUZZ_SECONDS (60) of the processor each, with clang'
 	@echo 'make wheel   a Python wheel in dist/'
 	@echo 'make clean   remove what was built (.venv and out/ stay)'
 

@@ -1,7 +1,7 @@
-"""Reads long scenes with `icespar check`, and tells the processor's time and the memory of each; then how long a
-small scene takes from the start of the program to a picture of one pixel and one sample.
+"""How long a small scene takes from the start of the program to a picture of one pixel and one sample; then reads
+long scenes with `icespar check`, and tells the processor's time and the memory of each.
 
-    python bench/parse.py build/icespar [--tokens 1000000] [--keep FOLDER]
+    python bench/parse.py build/icespar [--tokens 1000000] [--triangles 100000] [--keep FOLDER]
 
 Needs nothing but Python. The time is user + system, the least of three runs; the memory is the largest of them.
 """
@@ -41,18 +41,31 @@ def points():
         yield f"  <{i}.125, {-i}, 0.{i}>,\n"
 
 
-ENDS = {points: "  0 };\n"}
+def corner(i, j):
+    return f"<{i * 0.01:.6f}, {(i * i + j * j) * 1e-5:.6f}, {j * 0.01:.6f}>"
 
 
-def write(kind, tokens, file):
-    """Whole lines of the kind until there are so many tokens."""
-    written, lines = 0, []
+def triangles():
+    """Two in a cell, as programs write them."""
+    yield "mesh {\n"
+    for n in itertools.count():
+        i, j = n // 2 % 224, n // 448
+        a, b, c, d = corner(i, j), corner(i + 1, j), corner(i, j + 1), corner(i + 1, j + 1)
+        yield f"  triangle {{ {b if n % 2 else a}, {d if n % 2 else b}, {c} }}\n"
+
+
+ENDS = {points: "  0 };\n", triangles: "  pigment { rgb 1 }\n}\n"}
+
+
+def write(kind, file, tokens=None, lines=None):
+    """Whole lines of the kind until there are so many tokens, or so many lines."""
+    written, out = 0, []
     for line in kind():
-        lines.append(line)
+        out.append(line)
         written += len(TOKEN.findall(line))
-        if written >= tokens:
+        if len(out) == lines or tokens and written >= tokens:
             break
-    file.write_text("".join(lines) + ENDS.get(kind, ""))
+    file.write_text("".join(out) + ENDS.get(kind, ""))
     return written
 
 
@@ -75,6 +88,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("program", type=pathlib.Path)
     parser.add_argument("--tokens", type=int, default=1_000_000)
+    parser.add_argument("--triangles", type=int, default=100_000)
     parser.add_argument("--keep", type=pathlib.Path, help="leave the scenes in this folder")
     arguments = parser.parse_args()
     with tempfile.TemporaryDirectory() as scratch:
@@ -86,9 +100,12 @@ def main():
         folder = arguments.keep or pathlib.Path(scratch)
         folder.mkdir(exist_ok=True)
         print(f"{'scene':14}{'tokens':>10}{'MB':>8}{'s':>8}{'ns/token':>10}{'MB used':>9}")
-        for kind in (things, declarations, loops, points):
+        for kind in (things, declarations, loops, points, triangles):
             file = folder / f"{kind.__name__}.spar"
-            tokens = write(kind, arguments.tokens, file)
+            if kind is triangles:
+                tokens = write(kind, file, lines=arguments.triangles + 1)
+            else:
+                tokens = write(kind, file, arguments.tokens)
             runs = [measured(arguments.program.resolve(), "check", file) for _ in range(3)]
             seconds, memory = min(s for s, _ in runs), max(m for _, m in runs)
             size = file.stat().st_size / 1e6

@@ -129,7 +129,7 @@ void Builder::facet(const Block& block, double gear, double offset, Solid& solid
     }
 }
 
-void Builder::design(const Place& place, const std::string& file, Solid& solid) {
+std::string Builder::design(const Place& place, const std::string& file, Solid& solid) {
     const std::string path = file_named(file, place);
     try {
         const Design design = read_design(path);
@@ -137,6 +137,7 @@ void Builder::design(const Place& place, const std::string& file, Solid& solid) 
         for (const FacetPlane& plane : design.planes()) {
             solid.planes.push_back({from_gemcad(plane.normal), plane.distance, plane.name});
         }
+        return path;
     } catch (const Error& error) {
         // By the name that the scene gives it, not by its place on this machine.
         std::string message = error.what();

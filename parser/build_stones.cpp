@@ -5,9 +5,13 @@
 
 #include "math/error.hpp"
 #include "parser/builder.hpp"
+#include "parser/limits.hpp"
 
 namespace icespar {
 namespace {
+
+/// Each is built in exact arithmetic, which takes a millisecond or more; instances share one.
+constexpr std::size_t most_solids = 8'000 / limits::share;
 
 /// What was meant by a value that stands in a gem by itself.
 std::string hint_of_shape(const Value& value) {
@@ -23,6 +27,12 @@ std::string hint_of_shape(const Value& value) {
 std::pair<std::shared_ptr<Solid>, bool> Builder::solid_of(const Block& block) {
     std::shared_ptr<Solid>& known = solids_[&block];
     if (known) return {known, false};
+    if (solids_.size() > most_solids) {
+        diagnostics_.fatal(
+            block.place,
+            "more than " + std::to_string(most_solids) + " different stones and meshes, the bound",
+            "declare a stone once and place it by object { ... }");
+    }
     known = std::make_shared<Solid>();
     known->where = block.place;
     return {known, true};
@@ -55,7 +65,8 @@ Part Builder::gem(const Block& block) {
         const Item& item = cursor.take();
         if (item.word == "design") {
             const std::string file = cursor.text("the name of a file");
-            take_shape(cursor.place(), [&] { design(cursor.place(), file, *part.solid); });
+            take_shape(cursor.place(),
+                       [&] { part.solid->design = design(cursor.place(), file, *part.solid); });
         } else if (item.word == "scale_to") {
             if (!cursor.accept_word("width")) {
                 throw Fault{cursor.place(), "'scale_to' needs 'width' and a length after it", {}};
@@ -110,6 +121,10 @@ Part Builder::intersection(const Block& block) {
 }
 
 Stone Builder::polyhedron(const Solid& solid) {
+    if (const auto known = designs_.find(solid.design); known != designs_.end())
+        return known->second;
+    if (!solid.design.empty())
+        return designs_.emplace(solid.design, Stone::from_planes(solid.planes)).first->second;
     if (solid.mesh) return Stone::from_mesh(solid.mesh->vertices, solid.mesh->triangles);
     return solid.points.empty() ? Stone::from_planes(solid.planes)
                                 : Stone::from_points(solid.points);

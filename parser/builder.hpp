@@ -58,6 +58,7 @@ struct Solid {
     std::vector<FacetPlane> planes{};
     std::vector<Vec3> points{};
     std::shared_ptr<const TriangleMesh> mesh{};
+    std::string design{};           ///< the file it is, and nothing else
     std::optional<double> width{};  ///< what `scale_to width` asks for
     Place where{};
     std::map<std::string, Place> facet_places{};
@@ -192,9 +193,10 @@ private:
     // build_cut.cpp
     void cut(const Block& block, Solid& solid);
     void facet(const Block& block, double gear, double offset, Solid& solid);
-    void design(const Place& place, const std::string& file, Solid& solid);
+    /// The planes of a design file, and its whole path.
+    std::string design(const Place& place, const std::string& file, Solid& solid);
 
-    [[nodiscard]] static Stone polyhedron(const Solid& solid);
+    [[nodiscard]] Stone polyhedron(const Solid& solid);
     const Stone* stone_of(Solid& solid);
 
     void finish_part(const Part& part);
@@ -210,6 +212,7 @@ private:
     std::array<double, 3> ambient_light_{1, 1, 1};
     double unit_mm_ = 1;
     std::map<const Block*, std::shared_ptr<Solid>> solids_;
+    std::map<std::string, Stone> designs_;  ///< by file: a stone takes a while to build
     std::shared_ptr<Solid> unit_box_;
     std::map<std::string, std::shared_ptr<const Picture>> pictures_;
     std::vector<Place> gem_places_;

@@ -202,6 +202,11 @@ void Parser::include() {
             throw Fault{where, "'" + printable(name) + "' lies outside the scene's folder",
                         "move it beside the scene, or allow its folder with --allow"};
         }
+        if (is_pov_include(name)) {
+            diagnostics_.warning(where, "POV-Ray's " + name + " is left out: there is none here",
+                                 "what it declares has to be declared by the scene");
+            return;
+        }
         std::string hint = did_you_mean(name, library_names());
         if (hint.empty()) hint = "the library has " + listed(library_names(), " and ");
         throw Fault{where, "there is no file '" + printable(name) + "'", hint};

@@ -127,6 +127,12 @@ inline constexpr std::string_view values =
     "strupr substr tan tanh val vaxis_rotate vcross vdot vinv_transform vlength vnormalize vrotate "
     "vstr vtransform array";
 
+/// Of POV-Ray's library, without ".inc": scenes name many of which they use nothing.
+inline constexpr std::string_view pov_includes =
+    "chars debug finish functions glass glass_old golds logo meshmaker metals rad_def rand screen "
+    "shapes2 shapes3 shapes_old shapesq skies stage1 stars stdcam stdinc stoneold stones stones1 "
+    "stones2 sunpos textures woodmaps woods";
+
 inline constexpr std::string_view directives =
     "version include declare local undef macro end if ifdef ifndef else elseif while for switch "
     "case range "

@@ -93,6 +93,12 @@ bool is_scene_block(std::string_view word) {
     return std::find(blocks.begin(), blocks.end(), word) != blocks.end();
 }
 
+bool is_pov_include(std::string_view file) {
+    static const Words files = split(word_lists::pov_includes);
+    return file.ends_with(".inc") &&
+           std::find(files.begin(), files.end(), file.substr(0, file.size() - 4)) != files.end();
+}
+
 std::span<const std::string_view> value_words() { return vocabulary().values; }
 std::span<const std::string_view> directive_words() { return vocabulary().directives; }
 

@@ -36,6 +36,8 @@ struct WordInfo {
 [[nodiscard]] bool is_scene_block(std::string_view word);
 
 /// Words that may start an expression.
+/// A file of POV-Ray's own library that we have nothing like.
+[[nodiscard]] bool is_pov_include(std::string_view file);
 [[nodiscard]] std::span<const std::string_view> value_words();
 [[nodiscard]] std::span<const std::string_view> directive_words();
 /// Words of POV-Ray's that are left out wherever they stand.

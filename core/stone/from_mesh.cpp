@@ -3,7 +3,9 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <numeric>
 #include <string>
+#include <tuple>
 
 #include "math/error.hpp"
 #include "stone/polyhedron.hpp"
@@ -14,6 +16,8 @@ namespace {
 /// How far below the hull's surface a mesh may lie, in units of the stone's size: coordinates with
 /// six decimals are off by half a millionth, and facets gathered from them by two.
 constexpr double dent = 4e-6;
+/// Corners no farther apart are one, in units of the stone's size: cos(2*pi) is not quite cos(0).
+constexpr double apart = 1e-9;
 /// By which part of itself the volume may differ from the hull's.
 constexpr double bulge = 1e-4;
 
@@ -22,6 +26,44 @@ std::string written(const Vec3& v) {
     const auto digits = [](double x) { return std::round(x * 1e6) / 1e6 + 0.0; };
     std::snprintf(text, sizeof text, "<%g, %g, %g>", digits(v.x), digits(v.y), digits(v.z));
     return text;
+}
+
+struct Surface {
+    std::vector<Vec3> points;
+    std::vector<Triangle> triangles;
+};
+
+/// Corners at one place but for rounding become the first of them; triangles that lose their area
+/// by that are left out.
+Surface welded(std::span<const Vec3> points, std::span<const Triangle> triangles,
+               double tolerance) {
+    std::vector<std::uint32_t> by_x(points.size()), first(points.size()), number(points.size());
+    std::iota(by_x.begin(), by_x.end(), 0U);
+    std::iota(first.begin(), first.end(), 0U);
+    std::sort(by_x.begin(), by_x.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return std::tie(points[a].x, a) < std::tie(points[b].x, b);
+    });
+    for (auto i = by_x.begin(); i != by_x.end(); ++i) {
+        for (auto j = i; j != by_x.begin();) {
+            --j;
+            if (!(points[*i].x - points[*j].x <= tolerance)) break;
+            if (!(length(points[*i] - points[*j]) <= tolerance)) continue;
+            const std::uint32_t least = std::min(first[*i], first[*j]);
+            first[*i] = first[*j] = first[first[*j]] = least;
+        }
+    }
+    Surface out;
+    for (std::uint32_t i = 0; i < points.size(); ++i) {
+        while (first[first[i]] != first[i]) first[i] = first[first[i]];
+        number[i] =
+            first[i] == i ? static_cast<std::uint32_t>(out.points.size()) : number[first[i]];
+        if (first[i] == i) out.points.push_back(points[i]);
+    }
+    for (const auto& [a, b, c] : triangles) {
+        const Triangle t{number[a], number[b], number[c]};
+        if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) out.triangles.push_back(t);
+    }
+    return out;
 }
 
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
@@ -78,16 +120,19 @@ std::vector<Triangle> oriented(std::span<const Vec3> points, std::span<const Tri
 
 }  // namespace
 
-Stone Stone::from_mesh(std::span<const Vec3> points, std::span<const Triangle> triangles) {
+Stone Stone::from_mesh(std::span<const Vec3> given, std::span<const Triangle> triangles) {
     if (triangles.empty()) throw Error("a stone needs facets: the mesh has no triangles");
-    const std::vector<Triangle> surface = oriented(points, triangles);
-    Stone stone = from_points(points);
-    Vec3 low = points[0], high = points[0];
-    for (const Vec3& p : points) {
+    Vec3 low = given[0], high = given[0];
+    for (const Vec3& p : given) {
         low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
         high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
     }
     const double size = length(high - low);
+    const Surface mesh = welded(given, triangles, apart * size);
+    if (mesh.triangles.empty()) throw Error("a stone needs facets: the mesh is a single point");
+    const std::vector<Vec3>& points = mesh.points;
+    const std::vector<Triangle> surface = oriented(points, mesh.triangles);
+    Stone stone = from_points(points);
 
     // A convex mesh is its own hull: no triangle lies below it, and it goes round once.
     double deepest = 0, volume = 0;

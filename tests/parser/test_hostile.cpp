@@ -51,6 +51,22 @@ TEST_CASE("what runs away is stopped by a bound that the message names", "[hosti
                Contains("the bound"));
 }
 
+TEST_CASE("stones that differ are bounded, instances of one are not", "[hostile]") {
+    CHECK_THAT(told("union { #for (I, 0, 9000) gem { box { 0, 1 } interior { ior 1.5 } } #end }"),
+               Contains("different stones and meshes, the bound"));
+}
+
+TEST_CASE("names and gears have bounds too", "[hostile]") {
+    const std::string name(2'000'000, 'a');
+    const std::string said = told("#declare " + name + " = 1;\n" + name + "b");
+    CHECK_THAT(said, Contains("longer than 1000 characters, the bound"));
+    CHECK(said.size() < 2000);
+    const std::string facet = "facet { \"a\" angle 45 distance 1 every 1 from 0 } } } ";
+    CHECK_THAT(told("gem { cut { gear 1e300 " + facet), Contains("from -1e+06 to 1e+06"));
+    CHECK_THAT(told("gem { cut { gear 1e6 " + facet),
+               Contains("10000 planes or points, the bound"));
+}
+
 TEST_CASE("text nested a million deep is refused, whatever nests", "[hostile]") {
     constexpr std::size_t deep = 1'000'000;
     for (const char* opener : {"(", "<", "{", "union { ", "#if (1) ", "-", "!", "array { ",
@@ -119,6 +135,8 @@ TEST_CASE("a file need not be tidy to be read: BOM, CR LF, old Macintosh, Window
     CHECK_THAT(old, Contains("warning: this file is not UTF-8: it is read as Windows-1252"));
     CHECK_THAT(old, Contains("Gr\xc3\xb6\xc3\x9f\x65"));
     CHECK_THAT(told("\xed\xa0\x80 \xc0\x80 \xff"), Contains("unexpected character"));
+    CHECK_THAT(told("// Title\rsphere { 0, 1\r  pigmnt { rgb 1 } }\r"),
+               Contains("scene.spar:3:3: error: unknown word 'pigmnt'"));
 }
 
 TEST_CASE("what is no text is refused in one message", "[hostile]") {

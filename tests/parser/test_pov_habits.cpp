@@ -57,6 +57,23 @@ TEST_CASE("idle planes of a stone are told in one message", "[habits]") {
                               "do not reach the stone"));
 }
 
+TEST_CASE("POV-Ray's own includes that are not here are left out with a warning", "[habits]") {
+    CHECK_THAT(messages_of("#include \"textures.inc\"\n"),
+               Contains("warning: POV-Ray's textures.inc is left out"));
+    CHECK(faulty("#include \"texture.inc\"", "there is no file 'texture.inc'"));
+}
+
+TEST_CASE("normals of triangles are left out with a warning", "[habits]") {
+    for (const std::string triangle :
+         {"mesh { smooth_triangle { 0, y, x, y, z, y } ", "smooth_triangle { 0, y, x, y, z, y ",
+          "mesh2 { vertex_vectors { 3, <0, 0, 0>, x, z } normal_vectors { 3, y, y, y } "
+          "face_indices { 1, <0, 1, 2> } "}) {
+        INFO(triangle);
+        CHECK_THAT(messages_of(triangle + "pigment { rgb 1 } }"),
+                   Contains("warning: triangles are seen flat"));
+    }
+}
+
 TEST_CASE("a function of floats is declared and called as in POV-Ray", "[habits]") {
     const std::string head =
         "#declare Cauchy = function(L) { 1.5 + 0.01/pow(L, 2) } "

@@ -96,3 +96,24 @@ TEST_CASE("a mesh with a hole, a dent or two parts is no stone, and the message 
     for (const auto& [a, b, c] : triangles) both.push_back({a + 8, b + 8, c + 8});
     CHECK_THAT(fault(two, both), Contains("parts that are not joined"));
 }
+
+TEST_CASE("corners that a loop computes twice are one, though rounding parts them",
+          "[stone][mesh]") {
+    std::vector<Vec3> points;
+    Triangles triangles;
+    const auto corner = [&](const Vec3& p) {
+        points.push_back(p);
+        return static_cast<std::uint32_t>(points.size() - 1);
+    };
+    const double turn = 2 * std::acos(-1.0);
+    for (int i = 0; i < 16; ++i) {
+        const double a = turn * i / 16, b = turn * (i + 1) / 16;
+        for (const double y : {-0.9, 0.7}) {
+            triangles.push_back({corner({0, y, 0}), corner({std::cos(a), 0, std::sin(a)}),
+                                 corner({std::cos(b), 0, std::sin(b)})});
+        }
+    }
+    const Stone stone = Stone::from_mesh(points, triangles);
+    CHECK(stone.facets.size() == 32);
+    CHECK_THAT(stone.volume, WithinRel(1.6 * 8 * std::sin(turn / 16) / 3, 1e-12));
+}
