@@ -1,8 +1,10 @@
 // Light left untraced against CPU seconds for parallel views, one core; then against facets.
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <ctime>
 #include <numbers>
+#include <string_view>
 
 #include "designs/design.hpp"
 #include "math/random.hpp"
@@ -36,8 +38,8 @@ void row(const char* name, const char* how, const Stone& stone, const Medium& me
 }
 
 /// Planes that touch the unit ball, evenly spread but for chance.
-Stone random_stone(int facets) {
-    Random random(static_cast<std::uint64_t>(facets));
+Stone random_stone(int facets, std::uint64_t seed) {
+    Random random(seed);
     std::vector<FacetPlane> planes;
     for (int i = 0; i < facets; ++i) {
         const double z = 1 - (2 * i + 2 * random.uniform()) / facets, r = std::sqrt(1 - z * z),
@@ -47,9 +49,44 @@ Stone random_stone(int facets) {
     return Stone::from_planes(planes);
 }
 
+/// A thousand random stones and views, a thousand beams each: the worst there is.
+void balance() {
+    double gaps = 0, imbalance = 0;
+    std::uint64_t beams = 0;
+    Random random(1);
+    const auto direction = [&] {
+        const double z = 2 * random.uniform() - 1, turn = 2 * std::numbers::pi * random.uniform();
+        return Vec3{std::sqrt(1 - z * z) * std::cos(turn), std::sqrt(1 - z * z) * std::sin(turn),
+                    z};
+    };
+    for (int i = 0; i < 1000; ++i) {
+        const Stone stone = random_stone(20 + i % 80, static_cast<std::uint64_t>(i));
+        const Medium medium = i % 2 == 0 ? Medium::isotropic(1.3 + 1.2 * random.uniform())
+                                         : Medium::uniaxial(1.925, 1.984, direction());
+        ViewOptions options;
+        options.bound = 0;
+        options.max_beams = 1000;
+        const Vec3 along = direction();
+        const Exits e = trace_view(stone, medium, {along, any_perpendicular(along)}, options);
+        double traced = 0;
+        for (std::size_t x = 0; x < e.size(); ++x) traced += e.weight[x].s0 * e.area[x];
+        traced *= static_cast<double>(e.images.size());
+        beams += e.beams;
+        gaps = std::max(gaps, e.gaps / e.area_total);
+        imbalance = std::max(imbalance, std::abs((traced + e.untraced) / e.area_total - 1));
+    }
+    std::printf("%llu beams of 1000 stones: gaps %.1e, traced + untraced - 1 %.1e at most\n",
+                static_cast<unsigned long long>(beams), gaps, imbalance);
+}
+
 }  // namespace
 
-int main() {
+/// Prints the table, or with the word balance what the areas of a million beams come to.
+int main(int argc, char** argv) {
+    if (argc > 1 && std::string_view(argv[1]) == "balance") {
+        balance();
+        return 0;
+    }
     const Stone brilliant = Stone::from_planes(
         read_design(ICESPAR_SCENES_DIR "/designs/srb_tolkowsky_diamond.asc").planes());
     struct Case {
@@ -69,6 +106,7 @@ int main() {
         }
     }
     for (const int facets : {20, 50, 100, 200, 500, 1000}) {
-        row("isotropic", "random", random_stone(facets), Medium::isotropic(1.8), {}, 0.01, true);
+        row("isotropic", "random", random_stone(facets, static_cast<std::uint64_t>(facets)),
+            Medium::isotropic(1.8), {}, 0.01, true);
     }
 }
