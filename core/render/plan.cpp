@@ -91,6 +91,9 @@ PlanLine surroundings(const Scene& scene, const Needs& n) {
     const Environment& sky = scene.environment;
     const std::string by_rays = "light that leaves stones goes on as rays";
     if (scene.gems.empty()) return {"surroundings", "by rays", "there is no stone"};
+    if (n.engine == Engine::exact) {
+        return {"surroundings", "sky", "its light is looked up once for each beam"};
+    }
     if (!n.surroundings) {
         return {"surroundings",
                 sky.discs.empty() ? "sky" : "sky and " + counted(sky.discs.size(), "lamp"),

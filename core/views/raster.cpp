@@ -44,6 +44,7 @@ void Raster::edge(Point2 from, Point2 to, double sign, std::span<const double> v
     const double low = std::max(from.y, 0.0), high = std::min(to.y, static_cast<double>(height_));
     if (!(low < high)) return;
     const double slope = (to.x - from.x) / (to.y - from.y);
+    if (!std::isfinite(slope)) return;
     const auto at = [&](double y) {
         const double x = from.x + (y - from.y) * slope;
         return std::clamp(x, std::min(from.x, to.x), std::max(from.x, to.x));

@@ -135,6 +135,8 @@ class View:
             if not 0 <= head_shadow <= 90:
                 raise Error("head_shadow: 0 to 90 degrees")
             up = self._zenith if zenith is None else np.asarray(zenith, float)
+            if not 0 < np.linalg.norm(up) < math.inf:
+                raise Error("zenith: a direction is not 0")
             return LightReturn(*_core.light_return(self._exits, dome, up, math.radians(head_shadow), facet))
         radiance = np.asarray(light(self.direction), float)
         if radiance.shape != self.area.shape:

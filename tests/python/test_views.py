@@ -117,6 +117,7 @@ def test_calls_that_cannot_be_carried_out(brilliant):
         lambda: icespar.view(brilliant, "corundum", colour="no such colour"),
         lambda: view.light_return("moon"),
         lambda: view.light_return(head_shadow=100),
+        lambda: view.light_return(zenith=(0, 0, 0)),
         lambda: view.light_return(lambda d: 1.0),
         lambda: icespar.view(
             icespar.Stone.from_points([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]), glass
