@@ -140,7 +140,9 @@ const Stone* Builder::stone_of(Solid& solid) {
         for (const std::string& name : solid.stone->unreached) {
             const auto place = solid.facet_places.find(name);
             if (place == solid.facet_places.end()) {
-                nameless.push_back(name);
+                const bool told =
+                    std::find(nameless.begin(), nameless.end(), name) != nameless.end();
+                if (!told) nameless.push_back(name);
             } else {
                 diagnostics_.warning(place->second, "facet '" + name + "' does not reach the stone",
                                      "is its distance too large?");

@@ -213,3 +213,24 @@ TEST_CASE("instances of one gem are stones of their own", "[stones]") {
     // Turned by 30 degrees, the left thumb up: x goes towards -z of the language, +z of the core.
     CHECK(has_facet(scene.gems[2].stone, {c, 0, s}, 1 + 8 * c));
 }
+
+TEST_CASE("a scene that is read twice has the same stones, bit for bit", "[stones]") {
+    for (const char* name : {"calcite_on_grid", "cuts", "diamond_brilliant"}) {
+        const std::string file = ICESPAR_SCENES_DIR "/" + std::string(name) + ".spar";
+        const LoadResult one = load_scene_file(file), two = load_scene_file(file);
+        INFO(file);
+        INFO(messages(one));
+        REQUIRE(one.scene.has_value());
+        CHECK(one.diagnostics.empty());
+        REQUIRE(one.scene->gems.size() == two.scene->gems.size());
+        for (std::size_t i = 0; i < one.scene->gems.size(); ++i) {
+            const Stone &a = one.scene->gems[i].stone, &b = two.scene->gems[i].stone;
+            CHECK(a.vertices == b.vertices);
+            REQUIRE(a.facets.size() == b.facets.size());
+            for (std::size_t f = 0; f < a.facets.size(); ++f) {
+                CHECK(a.facets[f].normal == b.facets[f].normal);
+                CHECK(a.facets[f].distance == b.facets[f].distance);
+            }
+        }
+    }
+}
