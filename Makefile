@@ -2,7 +2,7 @@
 SHELL := /bin/bash
 .SHELLFLAGS := -euo pipefail -c
 .DEFAULT_GOAL := help
-.PHONY: help deps build demo test bench accuracy gallery editors fuzz wheel clean
+.PHONY: help deps build demo test speed bench accuracy gallery editors fuzz wheel clean
 
 VENV := .venv
 BIN := $(VENV)/bin
@@ -16,7 +16,8 @@ help:
 	@echo 'make demo    install what is missing, build, render scenes/calcite_on_grid.spar into out/'
 	@echo 'make build   the program build/icespar, and .venv in which "import icespar" works'
 	@echo 'make test    build and run the C++ and the Python tests'
-	@echo 'make bench   error against time, and the interface at length, into bench/results'
+	@echo 'make speed   error against time, of other renderers too, and docs/speed.md from it'
+	@echo 'make bench   all of that, every scene, and the interface at length, into bench/results'
 	@echo 'make accuracy measure the interface along every axis of stress, and draw docs/accuracy anew'
 	@echo 'make gallery render the pictures of docs/gallery.md anew'
 	@echo 'make editors write the grammar for editors anew, after a change of the language'
@@ -75,7 +76,11 @@ test: build $(VENV)/.installed-test
 	ctest --preset release
 	$(BIN)/python -m pytest tests/python tests/pov
 
-bench: build $(VENV)/.installed-test
+# Other renderers take part where they are found: bench/speed/run.py --help.
+speed: build $(VENV)/.installed-test
+	$(BIN)/python bench/speed/run.py --docs docs
+
+bench: speed
 	cmake --build --preset release --target icespar_bench
 	@for program in $(basename $(notdir $(wildcard bench/*.cpp))); do echo "$$program"; build/tests/$$program; done
 	$(BIN)/python bench/run.py

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "math/error.hpp"
 #include "render/view_picture.hpp"
 
 namespace icespar {
@@ -45,6 +46,17 @@ std::string obstacle(const Scene& scene, const std::vector<StoneNeeds>& stones,
 }
 
 }  // namespace
+
+bool& Forced::part(std::string_view name) {
+    if (name == "wavelengths") return wavelengths;
+    if (name == "stokes") return stokes;
+    if (name == "general") return general;
+    if (name == "absorption") return absorption;
+    if (name == "tree") return tree;
+    if (name == "surroundings") return surroundings;
+    throw Error("full: '" + std::string(name) +
+                "' is not one of wavelengths, stokes, general, absorption, tree and surroundings");
+}
 
 std::size_t bounded_objects(const Scene& scene) {
     std::size_t count = scene.gems.size();

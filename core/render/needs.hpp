@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "scene/scene.hpp"
@@ -26,6 +27,8 @@ struct Forced {
 
     friend bool operator==(const Forced&, const Forced&) = default;
     [[nodiscard]] static Forced everything() { return {true, true, true, true, true, true}; }
+    /// The part of that name; throws Error with the names there are.
+    bool& part(std::string_view name);
 };
 
 struct StoneNeeds {

@@ -53,7 +53,11 @@ py::tuple render_scene(const Scene& scene, const RenderOptions& options,
     return py::make_tuple(std::move(rendering.image), rendering.report);
 }
 
-Forced forced(bool full) { return full ? Forced::everything() : Forced{}; }
+Forced forced(const std::vector<std::string>& full) {
+    Forced parts;
+    for (const std::string& name : full) parts.part(name) = true;
+    return parts;
+}
 
 /// The world of a scene is left-handed, the core's is not.
 Vec3 mirrored(const Vec3& v) { return {v.x, v.y, -v.z}; }
@@ -133,8 +137,8 @@ void bind_scene(py::module_& module) {
     module.def(
         "render",
         [](const Scene& scene, int width, int height, int samples, double error, double seconds,
-           int threads, std::uint64_t seed, int bands, bool stokes, Engine engine, bool full,
-           const py::object& progress) {
+           int threads, std::uint64_t seed, int bands, bool stokes, Engine engine,
+           const std::vector<std::string>& full, const py::object& progress) {
             return render_scene(scene,
                                 {width, height, samples, error, seconds, threads, seed, bands,
                                  stokes, engine, forced(full)},
@@ -145,7 +149,7 @@ void bind_scene(py::module_& module) {
         "The image and the report.");
     module.def(
         "plan",
-        [](const Scene& scene, bool stokes, Engine engine, bool full) {
+        [](const Scene& scene, bool stokes, Engine engine, const std::vector<std::string>& full) {
             const Needs needs = needs_of(scene, stokes, engine, forced(full));
             py::list lines;
             for (const PlanLine& l : plan(scene, needs))

@@ -404,11 +404,11 @@ def render(
     bands: int,
     stokes: bool,
     engine: Engine,
-    full: bool,
+    full: Sequence[str],
     progress: Callable[[Progress], bool | None] | None,
 ) -> tuple[Image, RenderReport]: ...
 def plan(
-    scene: Scene, *, stokes: bool, engine: Engine, full: bool
+    scene: Scene, *, stokes: bool, engine: Engine, full: Sequence[str]
 ) -> tuple[list[tuple[str, str, str]], list[str], str]: ...
 def trace(
     scene: Scene,

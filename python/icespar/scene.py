@@ -110,7 +110,7 @@ class Scene:
         stokes: bool = False,
         spectral: int = 0,
         engine: Literal["auto", "rays", "beams", "exact"] = "auto",
-        full: bool = False,
+        full: bool | Iterable[str] = False,
         progress: bool | Callable[[_core.Progress], bool | None] = True,
     ) -> Image:
         """Renders to an Image of `size` (width, height).
@@ -121,8 +121,9 @@ class Scene:
         `stokes` keeps the polarisation, `spectral` that many bands of the spectrum.
         `engine` "rays" samples, "beams" follows whole pixels through stones, "exact" whole facets of one stone that
         an orthographic camera sees below a sky alone (no noise; `spp` counts wavelengths of a dispersive stone); "auto"
-        takes the last of them that applies, "exact" for isotropic stones. All make the same picture within their noise. `full` computes what the scene does not
-        need, too (see `plan`).
+        takes the last of them that applies, "exact" for isotropic stones. All make the same picture within their noise.
+        `full` computes what the scene does not need, too (see `plan`): True all of it, or some of "wavelengths", "stokes",
+        "general" (any crystal's solver), "absorption", "tree" (Embree) and "surroundings" (a plain sky asked ray by ray).
         `progress` True draws a bar on a terminal or in a notebook; a function is called with a Progress
         now and then, and ends the render by returning False. Ctrl-C raises KeyboardInterrupt.
 
@@ -140,7 +141,7 @@ class Scene:
             bands=_count("spectral", spectral, least=0, most=400),
             stokes=bool(stokes),
             engine=_engine(engine),
-            full=bool(full),
+            full=_parts(full),
             **bounds,
         )
         if callable(progress):
@@ -152,10 +153,13 @@ class Scene:
         return Image(core, report)
 
     def plan(
-        self, stokes: bool = False, engine: Literal["auto", "rays", "beams", "exact"] = "auto", full: bool = False
+        self,
+        stokes: bool = False,
+        engine: Literal["auto", "rays", "beams", "exact"] = "auto",
+        full: bool | Iterable[str] = False,
     ) -> Plan:
         """How `render` would make a picture with these arguments, and why."""
-        return Plan(*_core.plan(self._core, stokes=bool(stokes), engine=_engine(engine), full=bool(full)))
+        return Plan(*_core.plan(self._core, stokes=bool(stokes), engine=_engine(engine), full=_parts(full)))
 
     @overload
     def trace(
@@ -262,6 +266,14 @@ def _engine(name: str) -> _core.Engine:
     if name not in engines:
         raise ValueError(f"engine: {name!r} is not 'auto', 'rays', 'beams' or 'exact'")
     return engines[name]
+
+
+def _parts(full: bool | Iterable[str]) -> list[str]:
+    if isinstance(full, str):
+        return [full]
+    if isinstance(full, Iterable):
+        return list(full)
+    return ["wavelengths", "stokes", "general", "absorption", "tree", "surroundings"] if full else []
 
 
 def _positive(name: str, value: float | None) -> float:

@@ -1,0 +1,88 @@
+"""docs/speed.md and its plots."""
+
+import io
+import math
+import pathlib
+
+import matplotlib
+
+matplotlib.use("Agg")
+from matplotlib import pyplot as plt  # noqa: E402
+from PIL import Image  # noqa: E402
+
+ERRORS = (0.2, 0.1, 0.05, 0.02)
+COLOURS = {"icespar, beams": "tab:blue", "icespar, rays": "tab:cyan"}
+HEAD = """# Speed
+
+Seconds of processor time to reach an error, measured by `make speed` (`bench/speed/`), which writes this page.
+{where}.
+
+The stone is a round brilliant whose table leans by 12 degrees to a camera of 35 degrees at 3.75 girdle radii, below a
+gradient of 0.25 to 0.6 and six lamps of radiance 12 and 9 degrees radius: of n = 2.417 (isotropic), of
+n = 2.3784 + 0.0134 um^2 / wavelength^2 (dispersive), or of zircon with its axis along the table's normal
+(uniaxial). "grid" is a brilliant of calcite above a luminous grid, where light that leaves the stone goes on as rays.
+The error is the root mean square over pixels and R, G, B, relative to the picture's mean, against two long pictures x - a, x - b of the same
+program: mean((x - a)(x - b)), from which the noise of the references drops out. Peers see the same triangles, the same camera and the sky as a
+panorama; they average s and p at every facet, so that their pictures converge to slightly other ones.
+Seconds in brackets lie beyond the rows measured, and follow the slope of the last two. A program that errs less in its first row has that row's seconds.
+"""
+
+
+def plot(curves, scene, path):
+    figure, place = plt.subplots(figsize=(5.2, 3.4), layout="constrained")
+    for curve in curves:
+        if curve.scene != scene:
+            continue
+        seconds, errors = zip(*((s, e) for _, s, e in curve.rows if e > 0), strict=True)
+        place.plot(seconds, errors, "o-", label=curve.program, color=COLOURS.get(curve.program), markersize=4)
+    place.set(xscale="log", yscale="log", xlabel="CPU seconds", ylabel="relative RMSE", title=scene)
+    place.grid(alpha=0.3, which="both")
+    place.legend(fontsize=8)
+    picture = io.BytesIO()
+    figure.savefig(picture, format="png", dpi=90)
+    plt.close(figure)
+    path.parent.mkdir(parents=True, exist_ok=True)
+    Image.open(picture).convert("RGB").quantize(64).save(path, optimize=True)
+
+
+def seconds_text(seconds, measured):
+    if math.isnan(seconds):
+        return "-"
+    text = f"{seconds:.2f}" if seconds < 10 else f"{seconds:.0f}"
+    return text if measured else f"({text})"
+
+
+def table(header, rows):
+    lines = ["| " + " | ".join(header) + " |", "|" + "---|" * len(header)]
+    lines += ["| " + " | ".join(row) + " |" for row in rows]
+    return "\n".join(lines) + "\n"
+
+
+def write_report(folder, where, curves, needs, threads):
+    text = HEAD.format(where=where)
+    for scene in dict.fromkeys(c.scene for c in curves):
+        plot(curves, scene, pathlib.Path(folder) / "speed" / f"{scene}.png")
+        text += f"\n## {scene}\n\n![error against time, {scene}](speed/{scene}.png)\n\n"
+        text += table(
+            ["program", *(f"to {e:g}" for e in ERRORS), "slope"],
+            (
+                [c.program, *(seconds_text(*c.seconds_to(e)) for e in ERRORS), f"{c.slope():.2f}"]
+                for c in curves
+                if c.scene == scene
+            ),
+        )
+    text += "\n## What a scene does not need\n\nThe same samples a pixel, with one part of the full kernel forced "
+    text += "(`full=` of `Scene.render`): seconds and relative RMSE without and with it.\n\n"
+    text += table(
+        ["scene", "engine", "part", "seconds", "forced", "ratio", "error", "forced"],
+        (
+            [scene, engine, part, f"{s0:.3f}", f"{s1:.3f}", f"{s1 / s0:.2f}", f"{e0:.4f}", f"{e1:.4f}"]
+            for scene, part, engine, _, s0, s1, e0, e1 in needs
+        ),
+    )
+    text += "\n## Threads\n\nElapsed seconds, the least of the runs; other work on the machine counts.\n\n"
+    text += table(
+        ["scene", "engine", "one", "two", "ratio"],
+        ([scene, engine, f"{a:.3f}", f"{b:.3f}", f"{a / b:.2f}"] for scene, engine, a, b in threads),
+    )
+    (pathlib.Path(folder) / "speed.md").write_text(text, encoding="utf-8")
