@@ -67,8 +67,23 @@ std::string commands(const CLI::App& app) {
     return listed(names, " and ");
 }
 
-const std::map<std::string, Engine> engines{
-    {"auto", Engine::automatic}, {"rays", Engine::rays}, {"beams", Engine::beams}, {"exact", Engine::exact}};
+const std::map<std::string, Engine> engines{{"auto", Engine::automatic},
+                                            {"rays", Engine::rays},
+                                            {"beams", Engine::beams},
+                                            {"exact", Engine::exact}};
+
+void add_engine(CLI::App* command, Engine& engine, const char* help) {
+    const auto read = [&engine](const std::string& text) {
+        const auto found = engines.find(text);
+        if (found == engines.end()) {
+            throw CLI::ValidationError(
+                "--engine", "'" + text + "' is not an engine: rays, beams, exact or auto");
+        }
+        engine = found->second;
+    };
+    command->add_option_function<std::string>("--engine", read, help)
+        ->type_name("rays|beams|exact|auto");
+}
 
 constexpr auto render_footer =
     "--error, --time and --spp may be given together: the bound that is reached first ends the\n"
@@ -114,13 +129,11 @@ int main(int argc, char** argv) {
                      "Keep N spectral bands in the .exr, 1 to 400")
         ->type_name("N")
         ->check(whole(1, 400));
-    render
-        ->add_option("--engine", arguments.options.engine,
-                     "rays: samples; beams: whole pixels through stones; exact: whole facets of one stone\n"
-                     "in a parallel view (docs/method.md); auto: exact for an isotropic stone, else\n"
-                     "beams where there is a stone (default)")
-        ->type_name("rays|beams|exact|auto")
-        ->transform(CLI::CheckedTransformer(engines));
+    add_engine(
+        render, arguments.options.engine,
+        "rays: samples; beams: whole pixels through stones; exact: whole facets of one stone\n"
+        "in a parallel view (docs/method.md); auto: exact for an isotropic stone, else\n"
+        "beams where there is a stone (default)");
     render
         ->add_option("--error", arguments.options.error,
                      "Stop when the picture's estimated relative error is below E")
@@ -194,9 +207,7 @@ int main(int argc, char** argv) {
         "same way.\nExit codes: 0 done, 1 the scene is at fault, 2 wrong usage.");
     plan->add_option("SCENE", planned.scene, "A scene in a .spar, .pov or .inc file")->required();
     plan->add_flag("--stokes", planned.stokes, "As if the polarisation were to be kept");
-    plan->add_option("--engine", planned.engine, "As if this engine were asked for")
-        ->type_name("rays|beams|exact|auto")
-        ->transform(CLI::CheckedTransformer(engines));
+    add_engine(plan, planned.engine, "As if this engine were asked for");
     plan->add_flag("--full", planned.full, "As if the full kernel were asked for");
     clock_option(plan, "T", "What 'clock' is in the scene (default 0)");
     plan->add_option("--allow", arguments.allow,

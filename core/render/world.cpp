@@ -22,6 +22,15 @@ void grow(Bounds& b, const Vec3& v) {
     b.high = {std::max(b.high.x, v.x), std::max(b.high.y, v.y), std::max(b.high.z, v.z)};
 }
 
+/// Things are seen, not looked through: a start on their own surface is left by this much. What
+/// leaves a stone that stands on a thing, though, meets it at once, on whichever side of it
+/// rounding put the start.
+double first_distance(const Departure& from, int thing, const Vec3& origin) {
+    constexpr double own = 1e-10, contact = 1e-9;
+    if (from.thing == thing) return own * (1 + length(origin));
+    return from.gem >= 0 ? -contact * (1 + length(origin)) : 0;
+}
+
 constexpr Bounds nothing{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
 
 }  // namespace
@@ -33,6 +42,7 @@ FacetPlanes::FacetPlanes(const Stone& stone) {
         nz.push_back(f.normal.z);
         distance.push_back(f.distance);
     }
+    skin = rounding_of(stone);
 }
 
 int FacetPlanes::exit(const Vec3& o, const Vec3& d, int left_facet, double& nearest) const {
@@ -71,7 +81,13 @@ int FacetPlanes::entry(const Vec3& o, const Vec3& d, double& distance_in) const 
             out = std::min(out, t);
         }
     }
-    if (!(in < out) || in < 0) return -1;
+    if (!(in < out) || !(out > 0)) return -1;
+    if (in < 0) {
+        // What starts on a face of this stone, of another or of the floor it stands on.
+        const auto i = static_cast<std::size_t>(facet);
+        if (distance[i] - (nx[i] * o.x + ny[i] * o.y + nz[i] * o.z) > skin) return -1;
+        in = 0;
+    }
     distance_in = in;
     return facet;
 }
@@ -150,23 +166,21 @@ bool World::meet_thing(int index, const Ray& ray, const Departure& from, Hit& hi
     if (from.thing == index && is_flat(thing.shape)) return false;
     const Transform& back = into_thing_[static_cast<std::size_t>(index)];
     const Vec3 o = back.point(ray.origin), d = back.vector(ray.direction);
-    // Things are seen, not looked through: a start on their own surface is left by this much.
-    const double start = from.thing == index ? 1e-10 * (1 + length(o)) / length(d) : 0;
+    const double start = first_distance(from, index, o) / length(d);
     Meeting met;
     if (!meet_shape(thing.shape, o, d, start, met) || !(met.distance < hit.distance)) return false;
     Vec3 n = normalised(thing.to_world.normal(met.normal));
     if (dot(n, ray.direction) > 0) n = -n;
-    hit = {met.distance, -1, index, -1, n};
+    hit = {std::max(met.distance, 0.0), -1, index, -1, n};
     return true;
 }
 
 bool World::meet_part(int index, int triangle, const Ray& ray, const Departure& from,
                       Hit& hit) const {
     const auto i = static_cast<std::size_t>(index);
-    const bool own = from.thing == index;
-    if (own && from.triangle == triangle) return false;
+    if (from.thing == index && from.triangle == triangle) return false;
     const TriangleMesh& mesh = *std::get<MeshShape>(scene_.things[i].shape).mesh;
-    const double start = own ? 1e-10 * (1 + length(ray.origin)) : 0;
+    const double start = first_distance(from, index, ray.origin);
     Meeting met;
     if (!meet_triangle(meshes_[i], mesh.triangles[static_cast<std::size_t>(triangle)], ray.origin,
                        ray.direction, start, met) ||
@@ -175,7 +189,7 @@ bool World::meet_part(int index, int triangle, const Ray& ray, const Departure& 
     }
     Vec3 n = normalised(met.normal);
     if (dot(n, ray.direction) > 0) n = -n;
-    hit = {met.distance, -1, index, -1, n, triangle};
+    hit = {std::max(met.distance, 0.0), -1, index, -1, n, triangle};
     return true;
 }
 

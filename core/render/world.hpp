@@ -29,6 +29,7 @@ struct Hit {
 /// Facet planes laid out for the loop that asks them all.
 struct FacetPlanes {
     std::vector<double> nx, ny, nz, distance;
+    double skin = 0;  ///< how deep a point of the surface may lie within by rounding
     explicit FacetPlanes(const Stone& stone);
 
     /// The facet through which a ray inside leaves, the one just left excepted. The least distance
@@ -36,7 +37,7 @@ struct FacetPlanes {
     [[nodiscard]] int exit(const Vec3& origin, const Vec3& direction, int left_facet,
                            double& distance) const;
 
-    /// Where a ray from outside enters, or -1.
+    /// Where a ray from outside, or from the skin, enters, or -1.
     [[nodiscard]] int entry(const Vec3& origin, const Vec3& direction, double& distance) const;
 };
 

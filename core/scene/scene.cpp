@@ -30,6 +30,33 @@ const Gem* gem_around(const Scene& scene, const Vec3& point) {
     return nullptr;
 }
 
+namespace {
+
+/// Whether a part of the rectangle from which a parallel view looks lies within the stone: the
+/// rectangle, cut by every facet's plane, is not empty.
+bool starts_within(const Camera& c, const Stone& stone) {
+    std::vector<Vec3> left, next;
+    for (const auto& [u, v] : {std::pair{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}}) {
+        left.push_back(c.location + u * c.right + v * c.up);
+    }
+    const double skin = rounding_of(stone);
+    for (const Facet& f : stone.facets) {
+        next.clear();
+        for (std::size_t i = 0; i < left.size(); ++i) {
+            const Vec3 &a = left[i], &b = left[(i + 1) % left.size()];
+            const double in_a = f.distance - skin - dot(f.normal, a),
+                         in_b = f.distance - skin - dot(f.normal, b);
+            if (in_a > 0) next.push_back(a);
+            if ((in_a > 0) != (in_b > 0)) next.push_back(a + (in_a / (in_a - in_b)) * (b - a));
+        }
+        left.swap(next);
+        if (left.empty()) return false;
+    }
+    return true;
+}
+
+}  // namespace
+
 std::vector<std::string> camera_faults(const Scene& scene) {
     std::vector<std::string> out;
     const Camera& c = scene.camera;
@@ -40,6 +67,14 @@ std::vector<std::string> camera_faults(const Scene& scene) {
     const Gem* gem = gem_around(scene, c.location);
     if (c.kind != Camera::Kind::orthographic && gem != nullptr) {
         out.push_back("the camera is inside the stone at " + gem->name + "; move it out");
+    }
+    if (c.kind == Camera::Kind::orthographic) {
+        for (const Gem& cut : scene.gems) {
+            if (!starts_within(c, cut.stone)) continue;
+            out.push_back("lines of sight of the parallel view start inside the stone at " +
+                          cut.name + "; move the camera back");
+            break;
+        }
     }
     return out;
 }

@@ -52,18 +52,19 @@ GirdleSize girdle_size(const Stone& stone) {
     return {length, width, size({0, 0, 1})};
 }
 
-bool overlap(const Stone& a, const Stone& b, Vec3& where) {
-    if (a.vertices.empty() || b.vertices.empty()) return false;
-    // How deep stones may go into one another by rounding of their places and sizes.
+double rounding_of(const Stone& stone) {
     double size = 0, farthest = 0;
     for (const Vec3& axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
-        for (const Stone* stone : {&a, &b}) {
-            const Extent e = extent(stone->vertices, axis);
-            size = std::max(size, e.high - e.low);
-            farthest = std::max({farthest, std::abs(e.low), std::abs(e.high)});
-        }
+        const Extent e = extent(stone.vertices, axis);
+        size = std::max(size, e.high - e.low);
+        farthest = std::max({farthest, std::abs(e.low), std::abs(e.high)});
     }
-    const double rounding = 1e-9 * size + 1e-14 * farthest;
+    return 1e-9 * size + 1e-14 * farthest;
+}
+
+bool overlap(const Stone& a, const Stone& b, Vec3& where) {
+    if (a.vertices.empty() || b.vertices.empty()) return false;
+    const double rounding = std::max(rounding_of(a), rounding_of(b));
     for (const Vec3& axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
         const Extent in_a = extent(a.vertices, axis), in_b = extent(b.vertices, axis);
         if (std::min(in_a.high, in_b.high) - std::max(in_a.low, in_b.low) <= rounding) return false;
