@@ -10,8 +10,7 @@ import numpy as np
 class Curve:
     scene: str
     program: str
-    unit: str  #: of levels
-    rows: list = dataclasses.field(default_factory=list)  #: (level, CPU seconds, relative RMSE)
+    rows: list = dataclasses.field(default_factory=list)  #: (level: samples, or samples a side; CPU seconds; relative RMSE)
 
     def slope(self):
         """By least squares over the rows with an error: error ~ seconds^slope."""

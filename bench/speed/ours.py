@@ -31,7 +31,7 @@ class Ours:
         return self.references[name]
 
     def curve(self, name, engine):
-        curve = Curve(name, f"icespar, {engine}", "samples")
+        curve = Curve(name, f"icespar, {engine}")
         spp, seconds = FIRST[engine], 0.0
         while seconds < self.longest / 2:
             picture, seconds, _ = rendered(self.scenes[name], self.size, spp, spp, engine=engine)

@@ -61,7 +61,6 @@ class Mitsuba:
     """Path tracing, with the variant that works here: vectorised if its LLVM does."""
 
     name = "Mitsuba 3"
-    unit = "samples"
     levels = {"isotropic": (4, 16, 64, 256), "dispersive": (2, 8, 32)}
     references = {"isotropic": ((1024, 101), (1024, 102)), "dispersive": ((128, 101), (128, 102))}
 
@@ -112,7 +111,6 @@ class PovRay:
     """Recursive ray tracing with full splitting; a level is a grid of level x level jittered samples a pixel."""
 
     name = "POV-Ray 3.7"
-    unit = "samples a side"
     levels = {"isotropic": (1, 2, 3, 4), "dispersive": (1, 2)}
     references = {"isotropic": ((7, 1), (8, 1)), "dispersive": ((3, 1), (4, 1))}
 

@@ -11,7 +11,7 @@ from matplotlib import pyplot as plt  # noqa: E402
 from PIL import Image  # noqa: E402
 
 ERRORS = (0.2, 0.1, 0.05, 0.02)
-COLOURS = {"icespar, beams": "tab:blue", "icespar, rays": "tab:cyan"}
+COLOURS = {"icespar, beams": "tab:blue", "icespar, rays": "tab:cyan", "Mitsuba": "tab:red", "POV-Ray": "tab:orange"}
 HEAD = """# Speed
 
 Seconds of processor time to reach an error, measured by `make speed` (`bench/speed/`), which writes this page.
@@ -34,7 +34,8 @@ def plot(curves, scene, path):
         if curve.scene != scene:
             continue
         seconds, errors = zip(*((s, e) for _, s, e in curve.rows if e > 0), strict=True)
-        place.plot(seconds, errors, "o-", label=curve.program, color=COLOURS.get(curve.program), markersize=4)
+        colour = next(c for name, c in COLOURS.items() if curve.program.startswith(name))
+        place.plot(seconds, errors, "o-", label=curve.program, color=colour, markersize=4)
     place.set(xscale="log", yscale="log", xlabel="CPU seconds", ylabel="relative RMSE", title=scene)
     place.grid(alpha=0.3, which="both")
     place.legend(fontsize=8)

@@ -32,6 +32,18 @@ def machine():
     return f"{name}, {os.cpu_count()} cores, {platform.system()} {platform.machine()}"
 
 
+def kept_curves():
+    """What the last run wrote of peers."""
+    curves = {}
+    with open(ROOT / "bench" / "results" / "speed.csv", encoding="utf-8") as file:
+        for row in csv.DictReader(file):
+            if row["program"].startswith("icespar"):
+                continue
+            curve = curves.setdefault((row["scene"], row["program"]), Curve(row["scene"], row["program"]))
+            curve.rows.append((int(row["level"]), float(row["cpu_seconds"]), float(row["relative_rmse"])))
+    return list(curves.values())
+
+
 def peer_curves(size, quick):
     with tempfile.TemporaryDirectory() as folder:
         for peer in peers.found(pathlib.Path(folder)):
@@ -43,7 +55,7 @@ def peer_curves(size, quick):
                     print(f"{peer.label()} fails on {scene}; left out")
                     continue
                 a, b = done[-2][0], done[-1][0]
-                curve = Curve(scene, peer.label(), peer.unit)
+                curve = Curve(scene, peer.label())
                 for level, (picture, seconds) in zip(levels, done, strict=False):
                     curve.rows.append((level, seconds, error_of(picture, a, b)))
                 yield curve
@@ -65,6 +77,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--size", type=int, default=128, help="pixels a side (default 128)")
     parser.add_argument("--quick", action="store_true", help="a small picture, short runs: to see that all works")
+    parser.add_argument("--keep-peers", action="store_true", help="take other renderers' rows from the last run")
     parser.add_argument("--docs", type=pathlib.Path, help="write speed.md and its plots into this folder")
     options = parser.parse_args()
     size = 48 if options.quick else options.size
@@ -75,7 +88,7 @@ def main():
     names = list(ours.scenes)
     for curve in (
         *(ours.curve(name, engine) for name in names for engine in ("beams", "rays")),
-        *peer_curves(size, options.quick),
+        *(kept_curves() if options.keep_peers else peer_curves(size, options.quick)),
     ):
         curves.append(curve)
     rows = [(c.scene, c.program, level, s, e) for c in curves for level, s, e in c.rows]

@@ -19,32 +19,32 @@ class Roulette {
 public:
     void begin(std::uint64_t seed, double threshold) {
         threshold_ = threshold;
-        for (Depth& d : depths_) d = {};
         random_ = Random(seed);
-        for (double& s : sums_) s = random_.uniform();
+        reached_ = 0;
     }
 
     /// 0 for a beam that ends, else the gain in weight of one that survives.
     [[nodiscard]] double gain(double weight, int hits) {
         double survival = weight >= threshold_ ? 1 : weight / threshold_;
-        if (hits >= static_cast<int>(sums_.size())) {
-            // Light that is all but caught in the stone.
+        if (hits >= patient) {
+            // Light that is all but caught in the stone. What comes out of this late is a few parts
+            // in a million, and gains weight on the way.
             if (survival > patience) survival = patience;
             return random_.uniform() < survival ? 1 / survival : 0;
         }
         if (survival == 1) return 1;
-        depths_[static_cast<std::size_t>(hits)].expected += survival;
-        double& sum = sums_[static_cast<std::size_t>(hits)];
-        sum += survival;
-        if (sum < 1) return 0;
-        sum -= 1;
+        Depth& d = depth(hits);
+        d.expected += survival;
+        d.chance += survival;
+        if (d.chance < 1) return 0;
+        d.chance -= 1;
         return 1 / survival;
     }
 
     /// What came of a survivor among beams that owe nothing to earlier chance.
     void saw(int hits, double light) {
-        if (hits >= static_cast<int>(sums_.size())) return;
-        Depth& d = depths_[static_cast<std::size_t>(hits)];
+        if (hits >= patient) return;
+        Depth& d = depth(hits);
         if (d.survivors > 0) d.differences += (light - d.last) * (light - d.last);
         d.last = light;
         d.sum += light;
@@ -56,7 +56,8 @@ public:
     /// varies.
     [[nodiscard]] double variance() const {
         double sum = 0;
-        for (const Depth& d : depths_) {
+        for (int hits = 0; hits < reached_; ++hits) {
+            const Depth& d = depths_[static_cast<std::size_t>(hits)];
             if (d.survivors == 0) continue;
             const double m = d.survivors, mean = d.sum / m;
             if (d.survivors > 1) sum += 0.5 * d.differences * m / (m - 1);
@@ -67,15 +68,26 @@ public:
     }
 
 private:
+    static constexpr int patient = 1024;
     static constexpr double patience = 0.9;
-    double threshold_ = 0;
-    Random random_{0};
     struct Depth {
+        double chance = 0;  ///< the sum, from its random start
         double expected = 0, last = 0, sum = 0, differences = 0;
         int survivors = 0;
     };
-    std::array<double, 128> sums_{};
-    std::array<Depth, 128> depths_{};
+
+    /// Most pixels reach few depths: they are begun when they are reached.
+    [[nodiscard]] Depth& depth(int hits) {
+        for (; reached_ <= hits; ++reached_) {
+            depths_[static_cast<std::size_t>(reached_)] = {random_.uniform()};
+        }
+        return depths_[static_cast<std::size_t>(hits)];
+    }
+
+    double threshold_ = 0;
+    Random random_{0};
+    int reached_ = 0;
+    std::array<Depth, patient> depths_{};
 };
 
 }  // namespace icespar

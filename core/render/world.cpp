@@ -8,6 +8,7 @@
 #include "render/bounded_objects.hpp"
 #include "render/meet_shape.hpp"
 #include "render/needs.hpp"
+#include "stone/rounding.hpp"
 
 namespace icespar {
 namespace {
@@ -156,9 +157,17 @@ bool World::meet(int object, const Ray& ray, const Departure& from, Hit& hit) co
     if (object == from.gem) return false;
     double distance = 0;
     const int facet = planes(object).entry(ray.origin, ray.direction, distance);
-    if (facet < 0 || !(distance < hit.distance)) return false;
+    // A thing that touches the facet from outside covers it.
+    const double covered = hit.thing >= 0 ? planes(object).skin : 0;
+    if (facet < 0 || !(distance < hit.distance - covered)) return false;
     hit = {distance, object, -1, facet, {}};
     return true;
+}
+
+/// Whether a thing at this distance hides what was hit so far; it does hide a facet that it
+/// touches.
+bool World::in_front(double distance, const Hit& hit) const {
+    return distance < hit.distance + (hit.gem >= 0 ? planes(hit.gem).skin : 0);
 }
 
 bool World::meet_thing(int index, const Ray& ray, const Departure& from, Hit& hit) const {
@@ -168,7 +177,7 @@ bool World::meet_thing(int index, const Ray& ray, const Departure& from, Hit& hi
     const Vec3 o = back.point(ray.origin), d = back.vector(ray.direction);
     const double start = first_distance(from, index, o) / length(d);
     Meeting met;
-    if (!meet_shape(thing.shape, o, d, start, met) || !(met.distance < hit.distance)) return false;
+    if (!meet_shape(thing.shape, o, d, start, met) || !in_front(met.distance, hit)) return false;
     Vec3 n = normalised(thing.to_world.normal(met.normal));
     if (dot(n, ray.direction) > 0) n = -n;
     hit = {std::max(met.distance, 0.0), -1, index, -1, n};
@@ -184,7 +193,7 @@ bool World::meet_part(int index, int triangle, const Ray& ray, const Departure& 
     Meeting met;
     if (!meet_triangle(meshes_[i], mesh.triangles[static_cast<std::size_t>(triangle)], ray.origin,
                        ray.direction, start, met) ||
-        !(met.distance < hit.distance)) {
+        !in_front(met.distance, hit)) {
         return false;
     }
     Vec3 n = normalised(met.normal);

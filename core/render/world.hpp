@@ -78,6 +78,7 @@ private:
 
     /// Updates `hit` when object number `object` (gems first, then bounded things) is nearer.
     bool meet(int object, const Ray& ray, const Departure& from, Hit& hit) const;
+    [[nodiscard]] bool in_front(double distance, const Hit& hit) const;
     bool meet_thing(int thing, const Ray& ray, const Departure& from, Hit& hit) const;
     bool meet_part(int thing, int triangle, const Ray& ray, const Departure& from, Hit& hit) const;
 

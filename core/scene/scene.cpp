@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "scene/nearby.hpp"
+#include "stone/rounding.hpp"
 
 namespace icespar {
 

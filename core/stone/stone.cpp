@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "stone/polyhedron.hpp"
+#include "stone/rounding.hpp"
 
 namespace icespar {
 namespace {
