@@ -84,13 +84,6 @@ Footprint::Footprint(const Stone& stone, const Camera& camera, int width, int he
             edges[{std::min(a, b), std::max(a, b)}].push_back(i);
         }
     }
-    const auto behind = [&](const Vec3& v) {
-        return dot(v - camera.location, camera.direction) <= 0;
-    };
-    if (camera.kind == Camera::Kind::orthographic &&
-        std::all_of(stone.vertices.begin(), stone.vertices.end(), behind)) {
-        return;
-    }
     frame_ = {width, height, 0, 0};
     std::vector<int> place(stone.facets.size(), -1);
     for (int i = 0; i < facets_.facets(); ++i) {

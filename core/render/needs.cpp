@@ -23,6 +23,14 @@ StoneNeeds needs_of_stone(const Crystal& c, const Forced& forced) {
     return n;
 }
 
+/// Lines of sight of a parallel view have a start, which beams do not ask for.
+bool reaches_behind(const Camera& camera, const Stone& stone) {
+    return camera.kind == Camera::Kind::orthographic &&
+           std::any_of(stone.vertices.begin(), stone.vertices.end(), [&](const Vec3& v) {
+               return dot(v - camera.location, camera.direction) <= 0;
+           });
+}
+
 std::string obstacle(const Scene& scene, const std::vector<StoneNeeds>& stones,
                      const Forced& forced) {
     if (stones.empty()) return "there is no stone in the scene";
@@ -42,6 +50,8 @@ std::string obstacle(const Scene& scene, const std::vector<StoneNeeds>& stones,
     add(any([](const StoneNeeds& s) { return s.active; }), "turn polarisation");
     add(any([](const StoneNeeds& s) { return s.general && !s.active; }),
         forced.general ? "are left to the general solver" : "are biaxial");
+    const auto behind = [&](const Gem& g) { return reaches_behind(scene.camera, g.stone); };
+    add(std::any_of(scene.gems.begin(), scene.gems.end(), behind), "reach behind the camera");
     return "its stones " + why;
 }
 
@@ -75,7 +85,10 @@ Needs needs_of(const Scene& scene, bool stokes, Engine engine, const Forced& for
     n.forced = forced;
     n.stokes = stokes || forced.stokes;
     for (const Gem& gem : scene.gems) {
-        const StoneNeeds s = n.stones.emplace_back(needs_of_stone(gem.crystal, forced));
+        StoneNeeds& s = n.stones.emplace_back(needs_of_stone(gem.crystal, forced));
+        const bool behind = reaches_behind(scene.camera, gem.stone);
+        s.beams = s.beams && !behind;
+        if (behind) n.exact_obstacle = "the stone reaches behind the camera";
         n.wavelengths |= s.wavelengths;
         n.birefringent |= s.birefringent;
         n.general |= s.general;
@@ -87,7 +100,7 @@ Needs needs_of(const Scene& scene, bool stokes, Engine engine, const Forced& for
                      sky.state != Stokes{1, 0, 0, 0} || sky.pattern || !sky.formulas.empty() ||
                      forced.surroundings;
     n.obstacle = obstacle(scene, n.stones, forced);
-    n.exact_obstacle = view_obstacle(scene);
+    if (n.exact_obstacle.empty()) n.exact_obstacle = view_obstacle(scene);
     const bool exact = engine == Engine::exact ||
                        (engine == Engine::automatic && !n.birefringent && forced == Forced{});
     if (exact && n.exact_obstacle.empty()) {

@@ -65,7 +65,7 @@ TEST_CASE("a parallel view does not start inside a stone, and shows none behind 
     scene.camera.location = {4, 0, 0.5};
     CHECK_NOTHROW(render(scene, small(4, 1)));
     scene.camera.location = {0, 0, -2};
-    for (const Engine engine : {Engine::rays, Engine::beams}) {
+    for (const Engine engine : {Engine::rays, Engine::automatic}) {
         RenderOptions options = small(4, 4);
         options.engine = engine;
         const Image image = render(scene, options).image;
