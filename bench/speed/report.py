@@ -81,7 +81,12 @@ def write_report(folder, where, curves, needs, threads):
             for scene, part, engine, _, s0, s1, e0, e1 in needs
         ),
     )
-    text += "\n## Threads\n\nElapsed seconds, the least of the runs; other work on the machine counts.\n\n"
+    text += "\n## Threads\n\n"
+    if not threads:
+        text += "Not measured: the machine was busy with other work.\n"
+        (pathlib.Path(folder) / "speed.md").write_text(text, encoding="utf-8")
+        return
+    text += "Elapsed seconds, the least of the runs.\n\n"
     text += table(
         ["scene", "engine", "one", "two", "ratio"],
         ([scene, engine, f"{a:.3f}", f"{b:.3f}", f"{a / b:.2f}"] for scene, engine, a, b in threads),
