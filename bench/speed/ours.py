@@ -33,7 +33,8 @@ class Ours:
     def curve(self, name, engine):
         curve = Curve(name, f"icespar, {engine}")
         spp, seconds = FIRST[engine], 0.0
-        while seconds < self.longest / 2:
+        longest = 4 * self.longest if name == "dispersive" else self.longest
+        while seconds < longest / 2:
             picture, seconds, _ = rendered(self.scenes[name], self.size, spp, spp, engine=engine)
             curve.rows.append((spp, seconds, error_of(picture, *self.reference(name))))
             spp *= 2
