@@ -107,7 +107,7 @@ TEST_CASE("a cube seen along its edges reflects as the sum over all echoes of a 
 
 TEST_CASE("a point of the picture sees what its ray sees, in all four components", "[views]") {
     Draws random(5);
-    for (int i = 0; i < 12; ++i) {
+    for (int i = 0; i < 8; ++i) {
         const Crystal crystal = i % 4 == 0   ? glass(2.417)
                                 : i % 4 == 1 ? calcite(random.direction())
                                 : i % 4 == 2 ? quartz(random.direction())
@@ -158,7 +158,7 @@ TEST_CASE("the mean over a view is the sum of its pixels", "[views]") {
     Scene scene = scene_of(brilliant_stone(), zircon(axis), slope({0, 0, 1}));
     scene.camera = towards_origin(2.2);
     scene.camera.kind = Camera::Kind::orthographic;
-    RenderOptions options = small(12, 128);
+    RenderOptions options = small(8, 96);
     options.engine = Engine::beams;
     const Rendering picture = render(scene, options);
     const Exits e =
