@@ -64,7 +64,7 @@ struct Shot {
 };
 
 Shot picture(const Scene& scene, int size, int samples, std::uint64_t seed, Engine engine,
-                bool stokes) {
+             bool stokes) {
     RenderOptions o;
     o.width = o.height = size;
     o.samples = samples;
@@ -101,14 +101,14 @@ int main(int argc, char** argv) {
     const Scene scene = brilliant(kind);
     const Engine truth = reference_rays ? Engine::rays : Engine::beams;
     const Shot a = picture(scene, size, reference, 101, truth, false),
-                  b = picture(scene, size, reference, 102, truth, false);
+               b = picture(scene, size, reference, 102, truth, false);
     double mean = 0;
     for (const float v : a.rgb) mean += v / static_cast<double>(a.rgb.size());
     std::printf("# reference %.2f s, mean %.4f\n", a.seconds, mean);
     std::printf("kind,engine,samples,cpu_seconds,rmse,estimated_rmse,events,ns_per_event\n");
     for (int samples = 1; samples <= 1 << doublings; samples *= 2) {
         const Shot p = picture(scene, size, samples, static_cast<std::uint64_t>(samples),
-                                  rays ? Engine::rays : Engine::beams, stokes);
+                               rays ? Engine::rays : Engine::beams, stokes);
         std::printf("%s,%s,%d,%.3f,%.5f,%.5f,%.0f,%.0f\n", kind.c_str(), rays ? "rays" : "beams",
                     samples, p.seconds, rms(p, a, b), p.error * mean, p.events,
                     1e9 * p.seconds / p.events);

@@ -56,7 +56,7 @@ std::string format(const char* pattern, double value) {
     return text;
 }
 
-std::string plan_line(const RenderArguments& arguments) {
+std::string plan_line(const RenderArguments& arguments, Engine engine) {
     const RenderOptions& o = arguments.options;
     std::string bounds;
     const auto add = [&](const std::string& bound) {
@@ -64,7 +64,9 @@ std::string plan_line(const RenderArguments& arguments) {
     };
     if (o.error > 0) add(format("error %g", o.error));
     if (o.seconds > 0) add(format("%g s", o.seconds));
-    if (o.samples > 0)
+    if (engine == Engine::exact) {
+        if (bounds.empty()) add("a thousandth of the light is left");
+    } else if (o.samples > 0)
         add(std::to_string(o.samples) + (o.samples == 1 ? " sample a pixel" : " samples a pixel"));
     const unsigned threads =
         o.threads > 0 ? static_cast<unsigned>(o.threads) : std::thread::hardware_concurrency();
@@ -101,8 +103,8 @@ int render_picture(const RenderArguments& arguments, const LoadOptions& load,
     const ReadScene read = read_scene(arguments.scene, load, messages, &told);
     if (!read.scene) return exit_fault;
     const RenderOptions& o = arguments.options;
-    messages << plan_line(arguments) << '\n'
-             << "by " << plan_summary(needs_of(*read.scene, o.stokes, o.engine, o.forced)) << std::endl;
+    const Needs needs = needs_of(*read.scene, o.stokes, o.engine, o.forced);
+    messages << plan_line(arguments, needs.engine) << "\nby " << plan_summary(needs) << std::endl;
     Rendering rendering;
     {
         ProgressBar bar;

@@ -7,8 +7,8 @@
 namespace icespar {
 
 /// n(wavelength). The formulas are numbered as in refractiveindex.info; coefficients take
-/// wavelengths in micrometres, and the functions that take a list of them throw Error when there are too
-/// few, an even number, or one that is not finite.
+/// wavelengths in micrometres, and the functions that take a list of them throw Error when there
+/// are too few, an even number, or one that is not finite.
 class IndexFunction {
 public:
     IndexFunction() = default;  ///< n = 1

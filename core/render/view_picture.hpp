@@ -18,9 +18,9 @@ struct ViewPicture {
     bool interrupted = false;  ///< nothing was added to the film
 };
 
-/// Adds the picture to the film as one sample. Follows light until a quarter of options.error is left of
-/// it, or a thousandth, or as long as options.seconds; a stone that treats wavelengths differently
-/// is traced for options.samples of them (64 when that is 0).
+/// Adds the picture to the film as one sample. Follows light until a quarter of options.error is
+/// left of it, or a thousandth, or as long as options.seconds; a stone that treats wavelengths
+/// differently is traced for options.samples of them (64 when that is 0).
 [[nodiscard]] ViewPicture add_view(const Scene& scene, const Palette& palette,
                                    const WavelengthSampler& wavelengths,
                                    const RenderOptions& options, const ProgressCallback& progress,

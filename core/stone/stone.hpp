@@ -55,8 +55,8 @@ struct Stone {
     static Stone from_points(std::span<const Vec3> points);
 
     /// The hull of a closed convex mesh, whose triangles may go round either way. Throws Error as
-    /// from_points does, and when an edge does not join two triangles, or the mesh is dented by more
-    /// than numbers with six decimals explain: the message says where.
+    /// from_points does, and when an edge does not join two triangles, or the mesh is dented by
+    /// more than numbers with six decimals explain: the message says where.
     static Stone from_mesh(std::span<const Vec3> points,
                            std::span<const std::array<std::uint32_t, 3>> triangles);
 

@@ -59,7 +59,9 @@ void bind_stone(py::module_& module) {
                 const py::gil_scoped_release unlocked;
                 return Stone::from_planes(read_design(path).planes());
             },
-            "path"_a, "A faceting design: .asc or .gem (GemCad), .gcs (Gem Cut Studio). Error with file and place.")
+            "path"_a,
+            "A faceting design: .asc or .gem (GemCad), .gcs (Gem Cut Studio). Error with file and "
+            "place.")
         .def_static(
             "from_planes", &stone_from_planes, "normals"_a, "distances"_a,
             "names"_a = std::vector<std::string>{},
