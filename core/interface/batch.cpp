@@ -33,11 +33,19 @@ void put(const ComplexResult& to, std::size_t i, const CVec3& v) {
     put(to.real, i, real(v));
     put(to.imag, i, {v.x.imag(), v.y.imag(), v.z.imag()});
 }
-void put(const WaveColumns& to, std::size_t i, const Wave& wave, const Complex& amplitude,
-         double power) {
+/// Whether more of a wave is wanted than its amplitude, power and ray.
+bool rest_wanted(const WaveColumns& to) {
+    return lanes::wanted(to.k) || lanes::fields_wanted(to) || to.n_phase.data || to.n_ray.data ||
+           to.propagating;
+}
+
+void put(const WaveColumns& to, std::size_t i, const Complex& amplitude, double power) {
     put(to.power, i, power);
     put(to.amplitude_real, i, amplitude.real());
     put(to.amplitude_imag, i, amplitude.imag());
+}
+
+void put(const WaveColumns& to, std::size_t i, const Wave& wave) {
     put(to.ray, i, wave.ray);
     put(to.k, i, wave.k);
     put(to.E, i, wave.E);
@@ -46,6 +54,16 @@ void put(const WaveColumns& to, std::size_t i, const Wave& wave, const Complex& 
     put(to.n_ray, i, wave.n_ray);
     if (to.propagating) {
         to.propagating[static_cast<std::ptrdiff_t>(i) * to.propagating_stride] = wave.propagating;
+    }
+}
+
+/// An outgoing wave; only what is wanted of it is worked out.
+void put(const WaveColumns& to, std::size_t i, const Interface& face, bool transmitted,
+         std::size_t m) {
+    if (rest_wanted(to)) {
+        put(to, i, transmitted ? face.transmitted(m) : face.reflected(m));
+    } else if (lanes::wanted(to.ray)) {
+        put(to.ray, i, face.ray(transmitted, m));
     }
 }
 
@@ -64,11 +82,13 @@ void solve_face(const FaceBatch& faces, const BatchResult& wanted, std::size_t i
     const Wave wave = arriving(faces, i, from, normal);
     const Interface face(from, to, normal, wave);
     const Coefficients c = face.solve(wave);
-    put(wanted.incident, i, wave, 1, 1);
+    put(wanted.incident, i, 1, 1);
+    put(wanted.incident, i, wave);
     for (std::size_t m = 0; m < 2; ++m) {
-        put(wanted.reflected[m], i, face.reflected(m), c.reflected[m], c.reflected_power[m]);
-        put(wanted.transmitted[m], i, face.transmitted(m), c.transmitted[m],
-            c.transmitted_power[m]);
+        put(wanted.reflected[m], i, c.reflected[m], c.reflected_power[m]);
+        put(wanted.transmitted[m], i, c.transmitted[m], c.transmitted_power[m]);
+        put(wanted.reflected[m], i, face, false, m);
+        put(wanted.transmitted[m], i, face, true, m);
     }
     put(wanted.reflected_total.power, i, c.reflected_total);
     put(wanted.transmitted_total.power, i, c.transmitted_total);

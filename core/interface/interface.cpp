@@ -191,14 +191,20 @@ Coefficients Interface::solve(const Wave& incident) const {
 SummedFields Interface::summed_fields(const Wave& incident) const {
     const std::size_t m = mode_index(incident.mode);
     if (general_) return GeneralSolver::fields(*this, m);
+    const auto sum = [&](const Side& side, const std::array<Complex, 2>& amplitude, CVec3& to_E,
+                         CVec3& to_H) {
+        CVec3 E, H;
+        for (std::size_t i = 0; i < 2; ++i) {
+            const CVec3 part = amplitude[i] * side.E[i];
+            E += part;
+            H += {-side.q[i] * part.y, side.q[i] * part.x - kt_ * part.z, kt_ * part.y};
+        }
+        to_E = E.x * x_ + E.y * y_ + E.z * normal_;
+        to_H = H.x * x_ + H.y * y_ + H.z * normal_;
+    };
     SummedFields out;
-    for (std::size_t i = 0; i < 2; ++i) {
-        const Wave r = reflected(i), t = transmitted(i);
-        out.reflected_E += reflect_[m][i] * r.E;
-        out.reflected_H += reflect_[m][i] * r.H;
-        out.transmitted_E += transmit_[m][i] * t.E;
-        out.transmitted_H += transmit_[m][i] * t.H;
-    }
+    sum(reflected_, reflect_[m], out.reflected_E, out.reflected_H);
+    sum(transmitted_, transmit_[m], out.transmitted_E, out.transmitted_H);
     if (merged_) {
         const SummedFields exact = GeneralSolver::fields(*this, m);
         out.transmitted_E = exact.transmitted_E;
@@ -210,6 +216,27 @@ SummedFields Interface::summed_fields(const Wave& incident) const {
 Complex Interface::flux_amplitude(std::size_t m, bool transmitted, std::size_t i) const {
     const double flux = (transmitted ? transmitted_ : reflected_).flux[i];
     return std::sqrt(flux / flux_in_[m]) * (transmitted ? transmit_ : reflect_)[m][i];
+}
+
+Vec3 Interface::real_ray(const Side& side, const MediumCore& medium, std::size_t i,
+                         const Vec3& k) const {
+    if (medium.symmetry != Symmetry::biaxial) {
+        return medium.birefringent && i == 1 ? extraordinary_ray(medium, k) : normalised(k);
+    }
+    // E x (k x E).
+    const Vec3 E = real(side.E[i]);
+    const double along = kt_.real() * E.x + side.q[i].real() * E.z, size2 = dot(E, E);
+    const Vec3 flow{size2 * kt_.real() - along * E.x, -along * E.y,
+                    size2 * side.q[i].real() - along * E.z};
+    const double inverse = 1 / length(flow);
+    return (inverse * flow.x) * x_ + (inverse * flow.y) * y_ + (inverse * flow.z) * normal_;
+}
+
+Vec3 Interface::ray(bool transmitted, std::size_t i) const {
+    const Side& side = transmitted ? transmitted_ : reflected_;
+    const MediumCore& medium = transmitted ? to_ : from_;
+    if (!side.propagating[i] || general_) return built(side, medium, i).ray;
+    return real_ray(side, medium, i, kt_.real() * x_ + side.q[i].real() * normal_);
 }
 
 Wave Interface::built(const Side& side, const MediumCore& medium, std::size_t i) const {
@@ -225,9 +252,7 @@ Wave Interface::built(const Side& side, const MediumCore& medium, std::size_t i)
         w.E = complexified(E);
         w.H = complexified(cross(k, E));
         w.n_phase = length(k);
-        w.ray = w.mode == Mode::extraordinary          ? extraordinary_ray(medium, k)
-                : medium.symmetry == Symmetry::biaxial ? normalised(cross(E, real(w.H)))
-                                                       : k / w.n_phase;
+        w.ray = real_ray(side, medium, i, k);
         w.n_ray = dot(k, w.ray);
         return w;
     }

@@ -56,6 +56,9 @@ public:
     [[nodiscard]] Wave reflected(std::size_t i) const;
     [[nodiscard]] Wave transmitted(std::size_t i) const;
 
+    /// The ray of an outgoing wave, without building the wave.
+    [[nodiscard]] Vec3 ray(bool transmitted, std::size_t i) const;
+
     /// For ray tracers, without building a wave: the direction s of the face, whether a wave
     /// propagates, and the amplitude from incident wave m (0: s, o; 1: p, e) into it, normalised so
     /// that its squared magnitude is the power.
@@ -86,6 +89,9 @@ private:
     };
 
     [[nodiscard]] Wave built(const Side& side, const MediumCore& medium, std::size_t i) const;
+    /// Of a propagating wave, where all is real.
+    [[nodiscard]] Vec3 real_ray(const Side& side, const MediumCore& medium, std::size_t i,
+                                const Vec3& k) const;
 
     MediumCore from_, to_;
     Vec3 x_, y_, normal_;
