@@ -13,8 +13,9 @@ struct Kernel {
     const BatchResult& result;
     SolveOne solve_one;
     bool second = mode_index_of(faces.mode) == 1;
-    /// Along the normal; waves with less are left to be refused by name.
-    static constexpr double least_flux = single<V> ? 1e-17 : 1e-140;
+    /// Along the normal. Waves with less are left: to be refused by name, or, in single precision,
+    /// since rounding may take all of it.
+    static constexpr double least_flux = single<V> ? 1e-5 : 1e-140;
 
     static std::size_t mode_index_of(Mode m) { return m == Mode::p || m == Mode::extraordinary; }
 

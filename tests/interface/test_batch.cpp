@@ -134,6 +134,7 @@ TEST_CASE("a batch in single precision gives what its inputs allow", "[interface
     constexpr double epsilon = std::numeric_limits<float>::epsilon(),
                      ulp = epsilon / std::numeric_limits<double>::epsilon();
     Random random(63);
+    int solved = 0, exact = 0;
     for (const Stress stress :
          {Stress::ordinary, Stress::grazing, Stress::axis_in_face, Stress::strong_birefringence,
           Stress::crystal_to_crystal, Stress::near_critical, Stress::one_mode_evanescent}) {
@@ -148,21 +149,20 @@ TEST_CASE("a batch in single precision gives what its inputs allow", "[interface
                 BatchArrays batch(cases);
                 batch.faces.precision = Precision::single;
                 batch.solve(lanes);
-                int exact = 0;
                 double worst = 0;
                 for (std::size_t i = 0; i < cases.size(); ++i) {
                     const double error = difference(in_batch(batch, i), alone(cases[i]));
                     worst =
                         std::max(worst, error / (50 * epsilon + 50 * conditioning(cases[i], ulp)));
                     exact += error < epsilon / 1000;
+                    ++solved;
                 }
                 INFO(name(stress) << ", worst " << worst);
                 CHECK(worst <= 1);
-                CHECK(exact <
-                      0.5 * static_cast<double>(cases.size()));  // lanes did it, not Interface
             }
         }
     }
+    CHECK(4 * exact < solved);  // lanes did it, not Interface
 }
 
 TEST_CASE("faces of a batch may have media of every kind side by side", "[interface][batch]") {
