@@ -113,13 +113,16 @@ double distance_to(const Polygon& corners) {
     return std::min(least, std::abs(height));
 }
 
+double size_of(const Stone& stone) {
+    double size = 0;
+    for (const Vec3& v : stone.vertices) size = std::max(size, length(v - stone.vertices[0]));
+    return size;
+}
+
 /// In the sphere's own space, where it is the unit sphere.
 bool runs_through_sphere(const Stone& stone) {
-    double farthest = 0, nearest = std::numeric_limits<double>::infinity(), size = 0;
-    for (const Vec3& v : stone.vertices) {
-        farthest = std::max(farthest, length(v));
-        size = std::max(size, length(v - stone.vertices[0]));
-    }
+    double farthest = 0, nearest = std::numeric_limits<double>::infinity();
+    for (const Vec3& v : stone.vertices) farthest = std::max(farthest, length(v));
     const bool centre_inside = std::all_of(stone.facets.begin(), stone.facets.end(),
                                            [](const Facet& f) { return f.distance > 0; });
     if (centre_inside) nearest = 0;
@@ -129,14 +132,8 @@ bool runs_through_sphere(const Stone& stone) {
         for (const std::uint32_t c : f.corners) corners.push_back(stone.vertices[c]);
         nearest = std::min(nearest, distance_to(corners));
     }
-    const double slack = shallow * std::min(size, 1.0);
+    const double slack = shallow * std::min(size_of(stone), 1.0);
     return nearest < 1 - slack && farthest > 1 + slack;
-}
-
-double size_of(const Stone& stone) {
-    double size = 0;
-    for (const Vec3& v : stone.vertices) size = std::max(size, length(v - stone.vertices[0]));
-    return size;
 }
 
 }  // namespace

@@ -22,6 +22,19 @@ Rgb random_colour(std::mt19937& random) {
     return {part(random), part(random), part(random)};
 }
 
+struct Published {
+    const char* name;
+    double x, y;
+};
+
+/// The light of that name has luminance 1, and this chromaticity is the published one.
+void check(const Published& published, double x, double y) {
+    CAPTURE(published.name);
+    CHECK_THAT(xyz_from_rgb(rgb_of(illuminant(published.name)))[1], Catch::WithinAbs(1, 1e-13));
+    CHECK_THAT(x, Catch::WithinAbs(published.x, 6e-5));
+    CHECK_THAT(y, Catch::WithinAbs(published.y, 6e-5));
+}
+
 }  // namespace
 
 TEST_CASE("daylight D65 at value 1 is RGB 1, 1, 1", "[colour][convention]") {
@@ -38,30 +51,18 @@ TEST_CASE("the equal-energy light of luminance 1 has radiance 1", "[colour][conv
 }
 
 TEST_CASE("every illuminant has luminance 1 and the chromaticity the CIE publishes", "[colour]") {
-    struct Published {
-        const char* name;
-        double x, y;
-    };
     // CIE 015:2018, table 3, for 380 .. 780 nm at 5 nm; E follows from the observer's equal areas.
     const Published published =
         GENERATE(Published{"D65", 0.31272, 0.32903}, Published{"D50", 0.34567, 0.35851},
                  Published{"A", 0.44758, 0.40745}, Published{"E", 0.33333, 0.33333},
                  Published{"D55", 0.33243, 0.34744}, Published{"D75", 0.29903, 0.31488});
-    CAPTURE(published.name);
-    const Spectrum light = illuminant(published.name);
-    CHECK_THAT(xyz_from_rgb(rgb_of(light))[1], Catch::WithinAbs(1, 1e-13));
-    const auto [x, y] = chromaticity(light);
     // The CIE sums at 5 nm; a line between the nodes moves a chromaticity by half of the fourth
     // digit.
-    CHECK_THAT(x, Catch::WithinAbs(published.x, 6e-5));
-    CHECK_THAT(y, Catch::WithinAbs(published.y, 6e-5));
+    const auto [x, y] = chromaticity(illuminant(published.name));
+    check(published, x, y);
 }
 
 TEST_CASE("fluorescent lamps and LEDs have the chromaticities the CIE publishes", "[colour]") {
-    struct Published {
-        const char* name;
-        double x, y;
-    };
     // CIE 015:2018, tables 10.1 and 12.1.
     const Published published =
         GENERATE(Published{"F1", 0.3131, 0.3371}, Published{"F2", 0.3721, 0.3751},
@@ -75,15 +76,13 @@ TEST_CASE("fluorescent lamps and LEDs have the chromaticities the CIE publishes"
                  Published{"LED-B5", 0.3118, 0.3236}, Published{"LED-BH1", 0.4474, 0.4066},
                  Published{"LED-RGB1", 0.4557, 0.4211}, Published{"LED-V1", 0.4548, 0.4044},
                  Published{"led-v2", 0.3781, 0.3775}, Published{"C", 0.31006, 0.31616});
-    CAPTURE(published.name);
     const Spectrum light = illuminant(published.name);
-    CHECK_THAT(xyz_from_rgb(rgb_of(light))[1], Catch::WithinAbs(1, 1e-13));
     // Summed as the CIE sums: at the nodes.
     double sum[3] = {};
     for (double nm = 380; nm <= 780; nm += 5)
         for (std::size_t i = 0; i < 3; ++i) sum[i] += light(nm) * observer(nm)[i];
-    CHECK_THAT(sum[0] / (sum[0] + sum[1] + sum[2]), Catch::WithinAbs(published.x, 6e-5));
-    CHECK_THAT(sum[1] / (sum[0] + sum[1] + sum[2]), Catch::WithinAbs(published.y, 6e-5));
+    const double all = sum[0] + sum[1] + sum[2];
+    check(published, sum[0] / all, sum[1] / all);
 }
 
 TEST_CASE("red, green and blue have the luminances of Rec. 709", "[colour]") {
