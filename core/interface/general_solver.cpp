@@ -89,7 +89,7 @@ bool GeneralSolver::solve_in(Interface& out, const Medium& from, const Medium& t
     source[given] = in.field;
     const Arriving<R> known{in.kn, given, in.field};
     const HalfSpace<R> near(from, in.axes, in.K, -1, &known), far(to, in.axes, in.K, +1, nullptr);
-    if (is_double && std::min(near.separation, far.separation) < R(0.02)) return false;
+    if (is_double && std::min(near.separation, far.separation) < R(0.05)) return false;
     if (near.incident_field) source[given] = in_phase<R>(*near.incident_field, in.field);
     const bool isotropic = from.symmetry == Symmetry::isotropic && !from.active();
     if (isotropic) {

@@ -41,7 +41,7 @@ std::array<Wave, 2> waves_of_normal_in(const Medium& medium, const Vec3& directi
     const Vector3<R> z = normalised(converted<R>(direction)), x = any_perpendicular(z);
     const FaceAxes<R> face{x, cross(z, x), z};
     const HalfSpace<R> h(medium, face, 0, +1, nullptr);
-    if (std::is_same_v<R, double> && h.separation < R(0.02)) {
+    if (std::is_same_v<R, double> && h.separation < R(0.05)) {
         return waves_of_normal_in<long double>(medium, direction);
     }
     const auto names = modes_of(medium);

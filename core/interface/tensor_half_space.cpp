@@ -190,8 +190,12 @@ bool HalfSpace<R>::tensor(const Medium& medium, const FaceAxes<R>& face, const C
         propagating[i] = !transparent || solved || std::abs(q[i].imag()) < R(1e-10) * scale;
         flux[i] = propagating[i] ? std::max(s * normal_flux<R>(psi[i]), R(0)) : R(0);
     }
-    // Nearly equal indices: a perturbation keeps its digits, the rest does not.
-    if (!weak) separation = std::min(separation, 10 * std::abs(q[0] - q[1]) / scale);
+    // Nearly equal indices: a perturbation keeps its digits, the rest does not; still less where
+    // the two fields become one too (evanescent or absorbed waves that merge).
+    if (!weak) {
+        const R apart = solved ? R(1) : length(cross(E[0], E[1]));
+        separation = std::min(separation, 25 * apart * std::abs(q[0] - q[1]) / scale);
+    }
     order_by_sheet(sign, transparent);
     return true;
 }

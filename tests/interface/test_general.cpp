@@ -101,6 +101,27 @@ TEST_CASE("waves whose energy grazes a face keep their digits", "[interface][gen
     }
 }
 
+TEST_CASE("evanescent waves of an active crystal keep their digits when they nearly merge",
+          "[interface][general]") {
+    // Found by bench/general_accuracy: their normal components differ by 0.002, their fields by
+    // 0.04, and their amplitudes are 22.
+    GeneralCase c;
+    c.from.symmetry = Symmetry::biaxial;
+    c.from.n = {2.244898838324652, 2.321135303582516, 2.247676110806708};
+    c.from.first = {-0.31289917817531582, -0.91598677487612423, 0.25112214667218941};
+    c.from.second = {0.7343270622354261, -0.065621113573402695, 0.6756164852355776};
+    c.to.symmetry = Symmetry::uniaxial;
+    c.to.n = {1.3617935388731512, 1.4620453487054701, 1};
+    c.to.first = {-0.52800534314435621, 0.031680696469349227, 0.84864992257245131};
+    c.to.gyration = 0.0037248878452847073;
+    c.to.gyration_along = 0.0042864797497616808;
+    c.normal = {0.80055305334591575, 0.40598098565474766, 0.44078821225769077};
+    c.direction = {0.81341983986268329, -0.54424099277581806, -0.20530442250511483};
+    const GeneralDiscrepancy worst = compare(c);
+    INFO(worst.quantity << ": error " << in_digits(worst.error));
+    CHECK(worst.excess <= 1);
+}
+
 TEST_CASE("no face of any two media creates or loses energy", "[interface][general][energy]") {
     Random random(41);
     double worst = 0;

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-#include "support/interface_cases.hpp"
+#include "support/general_cases.hpp"
 #include "support/maxwell_reference.hpp"
 
 using namespace reference;
@@ -71,6 +71,19 @@ TEST_CASE("the reference gives Fresnel's formulas between isotropic media",
                                         (Cplx(1) + r_p) * Cplx(Real(n1) / Real(n2)))});
     }
     CHECK(worst < Real("1e-50"));
+}
+
+TEST_CASE("the reference follows waves to grazing incidence behind an absorbing medium",
+          "[interface][maxwell]") {
+    icespar::testing::MediumRecipe dark, air;
+    dark.n[0] = {1.85, 0.28};
+    const Double3 normal{0, 0, 1}, direction{0.6, -0.8, 1e-6};
+    const Solution s = solve(dark.material(), air.material(), normal, direction, 0);
+    const RealVector u = unit(direction);
+    const Cplx n(Real(1.85), Real(0.28)), q_i = n * Cplx(u[2]);
+    Cplx q_t = square_root(Cplx(1) - n * n * Cplx(Real(1) - u[2] * u[2]));
+    if (q_t.imag() < 0) q_t = -q_t;
+    CHECK(magnitude(s.reflected[0].amplitude - (q_i - q_t) / (q_i + q_t)) < Real("1e-40"));
 }
 
 TEST_CASE("the reference handles any symmetric tensor, biaxial or absorbing",

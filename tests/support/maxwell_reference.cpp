@@ -235,7 +235,7 @@ std::array<PlaneWave, 2> outgoing(const Material& m, const Frame& frame, int sig
             waves = moved, at = next, step *= 2;
         } else {
             step /= 4;
-            if (step < Real("1e-12")) throw std::runtime_error("reference: lost its waves");
+            if (step < Real("1e-30")) throw std::runtime_error("reference: lost its waves");
         }
     }
     if (incident) {
