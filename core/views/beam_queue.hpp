@@ -11,17 +11,40 @@
 
 namespace icespar {
 
+/// Beams with their polygons one behind the other; `corners` of a beam is how many its has.
+template <class Beam>
+struct BeamList {
+    std::vector<Beam> beams;
+    Polygon corners;
+
+    void push(Beam beam, PolygonView polygon) {
+        beam.corners = static_cast<int>(polygon.size());
+        beams.push_back(beam);
+        corners.insert(corners.end(), polygon.begin(), polygon.end());
+    }
+    void clear() {
+        beams.clear();
+        corners.clear();
+    }
+    /// Calls visit(beam, polygon) in the order of pushing.
+    template <class Visit>
+    void each(Visit&& visit) const {
+        std::size_t from = 0;
+        for (const Beam& b : beams) {
+            const auto count = static_cast<std::size_t>(b.corners);
+            visit(b, PolygonView(corners.data() + from, count));
+            from += count;
+        }
+    }
+};
+
 /// Weights lie in (0, 1] and those that are pushed never exceed the last one popped, but for
 /// rounding.
 template <class Beam>
 class BeamQueue {
 public:
-    /// `beam.corners` is set.
-    void push(Beam& beam, double weight, PolygonView polygon) {
-        Class& c = classes_[std::max(number(weight), first_)];
-        beam.corners = static_cast<int>(polygon.size());
-        c.beams.push_back(beam);
-        c.corners.insert(c.corners.end(), polygon.begin(), polygon.end());
+    void push(const Beam& beam, double weight, PolygonView polygon) {
+        classes_[std::max(number(weight), first_)].push(beam, polygon);
     }
 
     /// False when there is none left.
@@ -33,7 +56,7 @@ public:
             }
             classes_[first_ - 1] = {};
         }
-        Class& c = classes_[first_];
+        BeamList<Beam>& c = classes_[first_];
         beam = c.beams.back();
         c.beams.pop_back();
         polygon.assign(c.corners.end() - beam.corners, c.corners.end());
@@ -41,18 +64,13 @@ public:
         return true;
     }
 
+    /// Calls visit(beam, polygon), the heaviest class first.
     template <class Visit>
     void each(Visit&& visit) const {
-        for (const Class& c : classes_) {
-            for (const Beam& b : c.beams) visit(b);
-        }
+        for (const BeamList<Beam>& c : classes_) c.each(visit);
     }
 
 private:
-    struct Class {
-        std::vector<Beam> beams;
-        Polygon corners;
-    };
     /// By exponent and the first two bits behind it: four classes an octave.
     static std::size_t number(double weight) {
         constexpr std::uint64_t one = std::bit_cast<std::uint64_t>(1.0) >> 50;
@@ -60,7 +78,7 @@ private:
         return static_cast<std::size_t>(w >= one ? 0 : std::min<std::uint64_t>(one - w, 255));
     }
 
-    std::array<Class, 256> classes_;
+    std::array<BeamList<Beam>, 256> classes_;
     std::size_t first_ = 0;
 };
 

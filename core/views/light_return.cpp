@@ -21,7 +21,7 @@ double DomeLight::radiance(const Vec3& direction) const {
 }
 
 LightReturn light_return(const Exits& exits, const DomeLight& light, std::optional<int> facet) {
-    double sum = 0;
+    std::vector<double> sums(static_cast<std::size_t>(exits.groups) + 1);
     // Turns and mirrors about the line of sight do not change how high a beam stands above it.
     const Vec3 across = cross(light.zenith, exits.frame.direction);
     constexpr double rounding = 1e-15;
@@ -34,7 +34,8 @@ LightReturn light_return(const Exits& exits, const DomeLight& light, std::option
             if (!axial) radiance = light.radiance(image.of(exits.direction[i], exits.frame));
             sum_of_images += radiance;
         }
-        sum += exits.area[i] * exits.weight[i].s0 * sum_of_images;
+        sums[static_cast<std::size_t>(exits.group[i])] +=
+            exits.area[i] * exits.weight[i].s0 * sum_of_images;
     }
     double area = exits.area_total, untraced = exits.untraced;
     if (facet) {
@@ -42,7 +43,12 @@ LightReturn light_return(const Exits& exits, const DomeLight& light, std::option
         untraced = exits.entry_untraced[static_cast<std::size_t>(*facet)];
     }
     if (!(area > 0)) return {};
-    return {sum / area, light.greatest() * untraced / area};
+    const Estimate estimate = estimate_of(sums);
+    const double bound = light.greatest() * untraced / area,
+                 residue = light.greatest() * exits.residue / area;
+    const double sampled = std::min(estimate.value - sums[0], light.greatest() * untraced);
+    return {(sums[0] + sampled) / area, bound,
+            exits.groups > 0 ? std::min(bound, estimate.error / area + residue) : bound};
 }
 
 std::optional<int> table_facet(const Stone& stone) {

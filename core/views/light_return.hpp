@@ -21,9 +21,11 @@ struct DomeLight {
     [[nodiscard]] double greatest() const { return 1; }
 };
 
-/// The mean radiance that is seen lies between `value` and `value` + `bound`.
+/// The mean radiance that is seen. It is never further than `bound` from `value`; where the rest of
+/// the light was not sampled it is not below `value`.
 struct LightReturn {
     double value = 0, bound = 0;
+    double error = 0;  ///< one standard error of the sample; without one, the bound
 };
 
 /// Of the whole stone, or of what is seen in one of its facets. A facet that is not seen has the

@@ -16,11 +16,15 @@ void check(const Medium& medium, const ParallelView& view, const ViewOptions& op
         !(length(cross(view.direction, view.up)) > 0)) {
         throw Error("a view needs a direction and an up that is not along it");
     }
-    if (!(options.bound >= 0)) throw Error("bound must be 0 or more");
+    if (options.bound && !(*options.bound >= 0)) throw Error("bound must be 0 or more");
+    if (!(options.error >= 0)) throw Error("error must be 0 (no sample) or more");
+    if (!options.bound && options.error == 0) {
+        throw Error("a view without a bound needs an error to which the rest is sampled");
+    }
     if (!(options.seconds >= 0)) throw Error("the time must be 0 (no limit) or more");
     if (options.max_hits < 0) throw Error("max_hits must be 0 (no limit) or more");
     if (!(options.least_power >= 0)) throw Error("least_power must be 0 or more");
-    if (options.bound == 0 && options.max_beams == 0 && options.seconds == 0 &&
+    if (options.bound == 0.0 && options.max_beams == 0 && options.seconds == 0 &&
         options.max_hits == 0) {
         throw Error("a view needs an end: give a bound, max_beams, a time or max_hits");
     }
@@ -88,6 +92,7 @@ Exits Exits::expanded() const {
             out.entry.push_back(becomes(entry[i]));
             out.facet.push_back(becomes(facet[i]));
             out.hits.push_back(hits[i]);
+            out.group.push_back(group[i]);
             if (outline.empty()) continue;
             const auto begin = static_cast<std::ptrdiff_t>(out.corners.size());
             for (std::size_t c = outline[i]; c < outline[i + 1]; ++c) {
@@ -98,6 +103,19 @@ Exits Exits::expanded() const {
             out.outline.push_back(out.corners.size());
         }
     }
+    return out;
+}
+
+Estimate estimate_of(std::span<const double> sums) {
+    Estimate out{sums[0]};
+    const std::span<const double> groups = sums.subspan(1);
+    if (groups.empty()) return out;
+    double sum = 0, squares = 0;
+    for (const double s : groups) sum += s;
+    const double count = static_cast<double>(groups.size()), mean = sum / count;
+    for (const double s : groups) squares += (s - mean) * (s - mean);
+    out.value += sum;
+    out.error = std::sqrt(squares * count / (count - 1));
     return out;
 }
 

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -43,12 +44,17 @@ enum class Weights { intensity, stokes, averaged };
 
 struct ViewOptions {
     Weights weights = Weights::intensity;
-    /// Tracing ends when no more than this part of all light is left untraced.
-    double bound = 1e-3;
+    /// Exact tracing ends when no more than this part of all light is left untraced. Without it,
+    /// when a sample of the rest has the `error` asked for and costs no more than what was done.
+    std::optional<double> bound = 1e-3;
     /// Or when so many beams were followed to their next facets; 0: no bound of this kind.
     std::uint64_t max_beams = 2'000'000;
     double seconds = 0;  ///< or after this time; 0: no bound of this kind
     int max_hits = 0;    ///< interface events of a path, the entry being the first; 0: any number
+    /// What is left is then sampled, in groups, so that radiances from 0 to 1 add up to within
+    /// about this standard error, but for at most as long as exact tracing took; 0: it is left.
+    double error = 0;
+    std::uint64_t seed = 0;  ///< of the sample
     double least_power = 0;  ///< fainter light is not followed on from a face where part of it left
     bool symmetry = true;    ///< trace once what images of one another would repeat
     bool outlines = false;   ///< keep the polygons too
@@ -89,17 +95,25 @@ struct Exits {
     std::vector<double> area;  ///< in the picture, in the stone's units of length squared
     std::vector<std::int32_t> entry, facet;  ///< where it meets the stone, and where it leaves it
     std::vector<std::int32_t> hits;          ///< interface events, both included
+    /// 0: followed exactly. 1 to `groups`: found in that group of the sample; the groups are alike
+    /// but for chance, their weights are for all of them together.
+    std::vector<std::int32_t> group;
+    int groups = 0;  ///< 0: the rest was not sampled
 
     /// In the picture, if they were asked for: beam i has corners outline[i] to outline[i + 1].
     std::vector<std::size_t> outline;
     Polygon corners;
 
     /// By facet of the stone, for what enters there: its area in the picture, and weight times area
-    /// of what was not followed, and of what `max_hits` and `least_power` ended.
+    /// of what was not followed exactly, and of what `max_hits` and `least_power` ended.
     std::vector<double> entry_area, entry_untraced, entry_cut;
     double area_total = 0, untraced = 0, cut = 0;  ///< their sums
     double absorbed = 0;                           ///< weight times area that the stone kept
-    std::uint64_t beams = 0;                       ///< followed from one facet to the next ones
+    /// What is neither in the list nor cut nor absorbed: all that is untraced, or what the sample
+    /// left of it.
+    double residue = 0;
+    std::uint64_t beams = 0;    ///< followed from one facet to the next ones
+    std::uint64_t sampled = 0;  ///< of those, for the sample
     /// Area that rounding lost between facets (its light counts as untraced) or gave twice.
     double gaps = 0;
 
@@ -107,6 +121,14 @@ struct Exits {
     /// The same with a beam for every image.
     [[nodiscard]] Exits expanded() const;
 };
+
+/// A sum over the exits of a view, from those of each group of its sample.
+struct Estimate {
+    double value = 0;
+    double error = 0;  ///< one standard error; 0 without a sample
+};
+/// `sums` begins with what was traced exactly.
+[[nodiscard]] Estimate estimate_of(std::span<const double> sums);
 
 /// Best first by weight times area, so that what is untraced is small soon. The result does not
 /// depend on anything but the arguments, unless a time is given. Throws Error for a view without

@@ -10,6 +10,7 @@
 #include "interface/interface.hpp"
 #include "views/beam_queue.hpp"
 #include "views/facet_cells.hpp"
+#include "views/remainder.hpp"
 #include "views/symmetry.hpp"
 #include "views/transmission.hpp"
 #include "views/view.hpp"
@@ -48,17 +49,24 @@ public:
         for (std::size_t i = 0; i < stone_.facets.size(); ++i) {
             if (out_.entry_area[i] > 0) enter(static_cast<int>(i));
         }
-        const double bound = options_.bound * out_.area_total;
-        while (waiting_ > bound && may_go_on() && queue_.pop(beam_, polygon_)) {
-            waiting_ -= weight_of(beam_);
+        while (wants_more() && may_go_on() && queue_.pop(beam_, polygon_)) {
+            waiting_ -= beam_.weight();
             ++out_.beams;
             advance();
         }
-        queue_.each([&](const Beam& b) { give_up(b.entry, weight_of(b)); });
+        waiting_ = 0;
+        queue_.each([&](const Beam& b, PolygonView) {
+            waiting_ += b.weight();
+            give_up(b.entry, b.weight());
+        });
+        out_.residue = out_.untraced;
+        if (options_.error > 0 && waiting_ > 0 && !stopped_) sample();
         unfold();
     }
 
 private:
+    static constexpr unsigned beams_between_looks = 4096;
+
     using Pair = typename Response::Pair;
     template <class R, bool>
     struct Carried {
@@ -77,21 +85,59 @@ private:
         double area;
         Affine depth;       ///< optical, at each point of the polygon
         double passed = 1;  ///< the mean over the polygon of what it leaves
+        double gain = 1;    ///< for others that ended
         int entry, left, hits, corners;
         int mode;
+
+        [[nodiscard]] double weight() const { return area * passed * gain * response.power(); }
     };
+    using Sample = Remainder<Beam>;
 
-    [[nodiscard]] static double weight_of(const Beam& b) {
-        return b.area * b.passed * b.response.power();
-    }
-
-    [[nodiscard]] bool may_go_on() const {
+    [[nodiscard]] bool may_go_on() {
         if (options_.max_beams > 0 && out_.beams >= options_.max_beams) return false;
-        constexpr unsigned beams_between_looks = 4096;
         if (out_.beams % beams_between_looks != 0) return true;
-        if (options_.go_on && !options_.go_on()) return false;
+        look();
+        if (stopped_) return false;
         const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start_;
         return options_.seconds == 0 || spent.count() < options_.seconds;
+    }
+
+    void look() { stopped_ = stopped_ || (options_.go_on && !options_.go_on()); }
+
+    [[nodiscard]] bool wants_more() const {
+        if (options_.bound) return waiting_ > *options_.bound * out_.area_total;
+        return Sample::beams_a_survivor * survivors_wanted() > static_cast<double>(out_.beams);
+    }
+
+    /// Radiances from 0 to 1 have a standard deviation of a half at most.
+    [[nodiscard]] double survivors_wanted() const {
+        const double ratio = 0.5 * waiting_ / (options_.error * out_.area_total);
+        return ratio * ratio;
+    }
+
+    /// A few of the beams that are left go on for all of them.
+    void sample() {
+        const double most = static_cast<double>(out_.beams) / Sample::beams_a_survivor;
+        Sample rest(queue_, waiting_, std::min(survivors_wanted(), most), options_.seed);
+        out_.groups = Sample::groups;
+        out_.residue -= waiting_;
+        const std::uint64_t before = out_.beams;
+        for (group_ = 1; group_ <= Sample::groups; ++group_) {
+            out_.residue +=
+                rest.follow(group_ - 1, [&](const BeamList<Beam>& beams, BeamList<Beam>& children) {
+                    children_ = &children;
+                    beams.each([&](const Beam& b, PolygonView polygon) {
+                        beam_ = b;
+                        polygon_.assign(polygon.begin(), polygon.end());
+                        advance();
+                    });
+                    const std::uint64_t looks = out_.beams / beams_between_looks;
+                    out_.beams += beams.beams.size();
+                    if (out_.beams / beams_between_looks > looks) look();
+                    return !stopped_;
+                });
+        }
+        out_.sampled = out_.beams - before;
     }
 
     /// One sector of a symmetric view is enough.
@@ -123,6 +169,7 @@ private:
         whole(out_.entry_untraced, out_.untraced);
         whole(out_.entry_cut, out_.cut);
         out_.gaps *= static_cast<double>(symmetry_.images.size());
+        out_.residue *= static_cast<double>(symmetry_.images.size());
         out_.absorbed *= static_cast<double>(symmetry_.images.size());
     }
 
@@ -218,8 +265,13 @@ private:
             meet(cells_.facets().normal(piece.facet));
         }
         const double gap = std::abs(before.area - met);
+        const double lost = gap * before.passed * before.gain * before.response.power();
+        if (group_ > 0) {
+            out_.residue += lost;
+            return;
+        }
         out_.gaps += gap;
-        give_up(before.entry, gap * before.passed * before.response.power());
+        give_up(before.entry, lost);
     }
 
     /// On the way of beam_ to its facet.
@@ -229,7 +281,8 @@ private:
                        before.depth.dy + rate_ * t.dy};
         beam_.passed = mean_transmission(piece.polygon, beam_.depth);
         const double arrived = mean_transmission(piece.polygon, before.depth);
-        out_.absorbed += beam_.area * (arrived - beam_.passed) * before.response.power();
+        out_.absorbed +=
+            beam_.area * (arrived - beam_.passed) * before.gain * before.response.power();
     }
 
     /// What a beam loses per multiple of its flow.
@@ -290,22 +343,24 @@ private:
 
     /// Goes on from a face, where part of the light may have left, with what is in beam_.
     void send(bool thinned) {
-        const double power = beam_.response.power(), weight = weight_of(beam_);
+        const double power = beam_.response.power(), weight = beam_.weight();
         if (!(weight > 0)) return;
         const bool ends = options_.max_hits > 0 && beam_.hits >= options_.max_hits;
         if (ends || (thinned && beam_.passed * power < options_.least_power)) return cut(weight);
+        const PolygonView polygon = beam_.hits == 1 ? polygon_ : piece_;
+        if (group_ > 0) return children_->push(beam_, polygon);
         waiting_ += weight;
-        queue_.push(beam_, weight / out_.area_total,
-                    beam_.hits == 1 ? PolygonView(polygon_) : PolygonView(piece_));
+        queue_.push(beam_, weight / out_.area_total, polygon);
     }
 
     void leave(const Vec3& k, const Pair& response) {
         out_.direction.push_back(normalised(k));
-        out_.weight.push_back(beam_.passed * response.unpolarised());
+        out_.weight.push_back(beam_.passed * beam_.gain * response.unpolarised());
         out_.area.push_back(beam_.area);
         out_.entry.push_back(beam_.entry);
         out_.facet.push_back(beam_.left);
         out_.hits.push_back(beam_.hits);
+        out_.group.push_back(group_);
         if (!options_.outlines) return;
         const Polygon& polygon = beam_.hits == 1 ? polygon_ : piece_;
         out_.corners.insert(out_.corners.end(), polygon.begin(), polygon.end());
@@ -334,7 +389,10 @@ private:
     ViewSymmetry symmetry_;
     BeamQueue<Beam> queue_;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-    double waiting_ = 0;  ///< weight times area of what is in the queue
+    double waiting_ = 0;                  ///< weight times area of what is in the queue
+    int group_ = 0;                       ///< that is being sampled
+    BeamList<Beam>* children_ = nullptr;  ///< where its beams go on
+    bool stopped_ = false;                ///< by go_on
     Beam beam_{};
     Polygon polygon_, piece_;
 };

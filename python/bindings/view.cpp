@@ -66,7 +66,7 @@ py::tuple returned(const Exits& exits, Dome dome, const py::object& zenith, doub
                    std::optional<int> facet) {
     const DomeLight light{dome, normalised(vector(zenith, "zenith")), head};
     const LightReturn out = light_return(exits, light, facet);
-    return py::make_tuple(out.value, out.bound);
+    return py::make_tuple(out.value, out.bound, out.error);
 }
 
 }  // namespace
@@ -87,10 +87,13 @@ void bind_view(py::module_& module) {
         .def_property_readonly("entry", column(&Exits::entry))
         .def_property_readonly("facet", column(&Exits::facet))
         .def_property_readonly("hits", column(&Exits::hits))
+        .def_property_readonly("group", column(&Exits::group))
         .def_property_readonly("entry_area", column(&Exits::entry_area))
         .def_property_readonly("entry_untraced", column(&Exits::entry_untraced))
         .def_readonly("area_total", &Exits::area_total)
         .def_readonly("untraced", &Exits::untraced)
+        .def_readonly("residue", &Exits::residue)
+        .def_readonly("groups", &Exits::groups)
         .def_readonly("cut", &Exits::cut)
         .def_readonly("absorbed", &Exits::absorbed)
         .def_readonly("beams", &Exits::beams)
@@ -101,15 +104,23 @@ void bind_view(py::module_& module) {
     module.def(
         "trace_view",
         [](const Stone& stone, const Medium& medium, const py::object& direction,
-           const py::object& up, Weights weights, double bound, std::uint64_t max_beams,
-           double seconds, int max_hits, double least_power,
-           const std::vector<double>& absorption) {
-            return traced(
-                stone, medium, direction, up, absorption,
-                {weights, bound, max_beams, seconds, max_hits, least_power, true, false, {}});
+           const py::object& up, Weights weights, std::optional<double> bound, double error,
+           std::uint64_t max_beams, double seconds, std::uint64_t seed, int max_hits,
+           double least_power, const std::vector<double>& absorption) {
+            ViewOptions options;
+            options.weights = weights;
+            options.bound = bound;
+            options.error = error;
+            options.max_beams = max_beams;
+            options.seconds = seconds;
+            options.seed = seed;
+            options.max_hits = max_hits;
+            options.least_power = least_power;
+            return traced(stone, medium, direction, up, absorption, std::move(options));
         },
         "stone"_a, "medium"_a, py::kw_only(), "direction"_a, "up"_a, "weights"_a, "bound"_a,
-        "max_beams"_a, "seconds"_a, "max_hits"_a, "least_power"_a, "absorption"_a);
+        "error"_a, "max_beams"_a, "seconds"_a, "seed"_a, "max_hits"_a, "least_power"_a,
+        "absorption"_a);
     module.def("light_return", &returned, "exits"_a, "dome"_a, "zenith"_a, "head"_a, "facet"_a);
     module.def("table_facet", &table_facet, "stone"_a);
 }

@@ -65,7 +65,10 @@ def _parser() -> argparse.ArgumentParser:
         command.add_argument("--width", type=_positive, default=6.5, metavar="MM", help="width of the stone (default 6.5)")
         command.add_argument("--tilt", type=_tilt, default=30.0, metavar="DEG", help="largest tilt (default 30; 0: none)")
         command.add_argument("--step", type=_positive, default=2.0, metavar="DEG", help="between tilts (default 2)")
-        command.add_argument("--bound", type=_positive, default=0.1, metavar="POINTS", help="of face-up numbers (default 0.1)")
+        command.add_argument("--bound", type=_positive, default=0.1, metavar="POINTS", help="light not followed exactly, face-up (default 0.1)")
+        command.add_argument(
+            "--error", type=_positive, default=0.01, metavar="POINTS", help="standard error face-up; tilted, 5 times that (default 0.01)"
+        )
         command.add_argument("-o", "--output", type=pathlib.Path, metavar="FILE", help="the report: .html (or .json, .csv)")
         command.add_argument("--json", type=pathlib.Path, metavar="FILE", help="all numbers as JSON")
         command.add_argument("--csv", type=pathlib.Path, metavar="FILE", help="all numbers, one a line")
@@ -96,7 +99,7 @@ def _run(options: argparse.Namespace) -> int:
     found = []
     for gem in gems:
         with bar(report.label(gem)) as progress:
-            found.append(analyse(gem, tilts, options.bound / 100, max(options.bound, 0.5) / 100, progress))
+            found.append(analyse(gem, tilts, options.bound / 100, options.error / 100, progress))
     for path, kind in outputs.items():
         text = {
             ".html": lambda: report.html(found, options.size, options.spp),

@@ -1,10 +1,11 @@
-"""The cutter's numbers: light return, leakage, extinction, fire, scintillation and doubling, each with its bound."""
+"""The cutter's numbers: light return, leakage, extinction, fire, scintillation and doubling, each with its bound and error."""
 
 import math
 import os
 from collections.abc import Callable, Iterable
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,11 +20,20 @@ SCOPE_HEAD = 15.0  #: and in ASET and Ideal-Scope
 LAMP = 2.0  #: side of a patch of sky that counts as one lamp, for fire, degrees
 PATCH = 10.0  #: and for scintillation
 NUDGE = 2.0  #: tilt between the two views of scintillation, degrees
-#: A tilted view ends with its bound or after so many beams, and states what is left. Birefringent stones split every beam.
-TILTED_BEAMS = {"isotropic": 2_000_000, "birefringent": 150_000}
+BEAMS = 500_000  #: after so many a view that is to be traced to a bound ends, and states what is left
+TILTED = 5.0  #: so much larger is the error that is asked of tilted views
 F_LINE, C_LINE, D_LINE = 486.1, 656.3, 589.3  #: nm
 
-Numbers = dict[str, tuple[float, float]]
+
+class Number(NamedTuple):
+    """A part of the stone's face, in percent. The truth is never further than `bound` away, and within about two `error`."""
+
+    value: float
+    bound: float
+    error: float  #: one standard error; where nothing was sampled, the bound: the truth then lies between value and value + bound
+
+
+Numbers = dict[str, Number]
 
 #: What each number is, for readers of a report. All are parts of the face-up picture's area, in percent.
 MEANING = {
@@ -58,31 +68,35 @@ def trace(
     gem: Gem,
     tilt: tuple[float, float] = (0.0, 0.0),
     medium: Medium | None = None,
-    bound: float = 1e-3,
-    max_beams: int = 2_000_000,
+    bound: float | None = 1e-3,
+    error: float | None = 1e-4,
+    max_beams: int = BEAMS,
 ) -> View:
-    """The gem in a parallel view, tilted as in `Gem.picture`; `medium` takes the place of its own at 589.3 nm."""
+    """The gem in a parallel view, tilted as in `Gem.picture`; `medium` takes the place of its own at 589.3 nm.
+
+    The rest is as in `icespar.view`.
+    """
     toward, up = tilted([[0, 0, 1], [0, 1, 0]], tilt)
     medium = gem.medium(D_LINE) if medium is None else medium
-    return view(gem.stone, medium, direction=-toward, up=up, bound=bound, max_beams=max_beams)
+    return view(gem.stone, medium, direction=-toward, up=up, bound=bound, error=error, max_beams=max_beams)
 
 
 def numbers(seen: View, towards: NDArray[np.float64] | tuple[float, ...] = (0, 0, 1)) -> Numbers:
-    """What one view says, in percent: each number lies between its value and value + bound."""
+    """What one view says."""
     height = seen.direction @ np.asarray(towards, dtype=float)
 
-    def part(lit: NDArray[np.bool_]) -> tuple[float, float]:
-        return 100 * float((seen.weight * seen.area)[lit].sum()) / seen.area_total, 100 * seen.untraced
+    def part(lit: NDArray[np.bool_]) -> Number:
+        return Number(*(100 * x for x in seen.light_return(lambda _: lit)))
 
     head, scope = math.cos(math.radians(HEAD)), math.cos(math.radians(SCOPE_HEAD))
     half, above = math.sin(math.pi / 4), height > 0
     out: Numbers = {}
     for dome in ("iso", "cosine", "sc2"):
-        out[dome] = tuple(100 * x for x in seen.light_return(dome, head_shadow=HEAD, zenith=towards))
+        out[dome] = Number(*(100 * x for x in seen.light_return(dome, head_shadow=HEAD, zenith=towards)))
     if np.any(seen.stone.normals[:, 2] > 1 - 1e-9):
         for dome in ("iso", "cosine", "sc2"):
             returned = seen.light_return(dome, head_shadow=HEAD, zenith=towards, table=True)
-            out[f"table_{dome}"] = tuple(100 * x for x in returned)
+            out[f"table_{dome}"] = Number(*(100 * x for x in returned))
     out["leakage"] = part(~above)
     out["window"] = part(~above & (seen.hits == 2))
     out["extinction"] = part(height > head)
@@ -94,11 +108,12 @@ def numbers(seen: View, towards: NDArray[np.float64] | tuple[float, ...] = (0, 0
     return out
 
 
-def moved(a: View, b: View, towards_a, towards_b, side: float) -> tuple[float, float]:
+def moved(a: View, b: View, towards_a, towards_b, side: float) -> Number:
     """The part of the light from above that comes by another facet or from another patch of sky in `b` than in `a`.
 
     In percent. Patches are squares of `side` degrees on the equal-area map of the sky as the viewer has it; the number
-    is the mean over 16 places of their grid. Light from the observer's head is left out.
+    is the mean over 16 places of their grid. Light from the observer's head is left out, and so is what was sampled:
+    chance, too, would move it.
     """
     sides = [_on_sky(v, toward) for v, toward in ((a, towards_a), (b, towards_b))]
     step = math.radians(side)
@@ -110,13 +125,14 @@ def moved(a: View, b: View, towards_a, towards_b, side: float) -> tuple[float, f
         light = np.concatenate([sides[0][2], -sides[1][2]])
         found.append(np.abs(np.bincount(where, light)).sum() / max(np.abs(light).sum(), 1e-300))
     total = sides[0][2].sum() + sides[1][2].sum()
-    return 100 * float(np.mean(found)), 100 * min(1.0, (a.untraced + b.untraced) / max(float(total), 1e-300))
+    bound = 100 * min(1.0, (a.untraced + b.untraced) / max(float(total), 1e-300))
+    return Number(100 * float(np.mean(found)), bound, bound)
 
 
 def _on_sky(seen: View, frame: NDArray[np.float64]):
     """Places on the sky's equal-area map, facets of entry, and light, of what comes from above beside the head."""
     d = seen.direction @ np.asarray(frame, dtype=float).T
-    keep = (d[:, 2] > 0) & (d[:, 2] < math.cos(math.radians(HEAD)))
+    keep = (d[:, 2] > 0) & (d[:, 2] < math.cos(math.radians(HEAD))) & (seen.group == 0)
     d = d[keep]
     return (
         d[:, :2] * np.sqrt(2 / (1 + d[:, 2:])),
@@ -130,24 +146,19 @@ def _frame(tilt: tuple[float, float]) -> NDArray[np.float64]:
     return tilted(np.eye(3), tilt)
 
 
-def _beams(medium: Medium) -> int:
-    return TILTED_BEAMS["isotropic" if medium.symmetry == "isotropic" else "birefringent"]
-
-
-def fire(gem: Gem, bound: float = 1e-3) -> tuple[float, float]:
+def fire(gem: Gem, bound: float = 1e-3) -> Number:
     """MEANING["fire"], face-up."""
-    blue, red = (trace(gem, (0.0, 0.0), gem.medium(nm), bound, _beams(gem.medium(nm))) for nm in (F_LINE, C_LINE))
+    blue, red = (trace(gem, (0.0, 0.0), gem.medium(nm), bound, None) for nm in (F_LINE, C_LINE))
     return moved(blue, red, np.eye(3), np.eye(3), LAMP)
 
 
-def scintillation(gem: Gem, still: View, bound: float = 1e-3) -> tuple[float, float]:
+def scintillation(gem: Gem, still: View, bound: float = 1e-3) -> Number:
     """MEANING["scintillation"]; `still` is the view face-up."""
     found = [
-        moved(still, trace(gem, tilt, still.medium, bound, _beams(still.medium)), np.eye(3), _frame(tilt), PATCH)
+        moved(still, trace(gem, tilt, still.medium, bound, None), np.eye(3), _frame(tilt), PATCH)
         for tilt in ((NUDGE, 0.0), (0.0, NUDGE))
     ]
-    value, rest = np.mean(found, axis=0)
-    return float(value), float(rest)
+    return Number(*np.mean(found, axis=0).tolist())
 
 
 @dataclass(frozen=True)
@@ -199,29 +210,34 @@ class Analysis:
     @property
     def effect(self) -> Numbers:
         """By how much birefringence changes each number, with the sum of both bounds."""
-        if self.without is None:
-            return {}
-        return {k: (v - self.without[k][0], b + self.without[k][1]) for k, (v, b) in self.face_up.items() if k in self.without}
+        out: Numbers = {}
+        for name, a in self.face_up.items():
+            b = (self.without or {}).get(name)
+            if b is not None:
+                out[name] = Number(a.value - b.value, a.bound + b.bound, math.hypot(a.error, b.error))
+        return out
 
 
 def analyse(
     gem: Gem,
     tilts: Iterable[float] = np.arange(-30, 31, 2.0),
     bound: float = 1e-3,
-    tilted_bound: float = 5e-3,
+    error: float = 1e-4,
     progress: Callable[[float], None] | None = None,
 ) -> Analysis:
-    """Traces the gem face-up and at each tilt about both axes; bounds are parts of all light, unless many beams end them.
+    """Traces the gem face-up, until no more than `bound` of all light is left or many beams were followed, and samples the
+    rest to the standard error `error`; fire and scintillation end with 5 `bound`. At each tilt about both axes numbers have an
+    error of 5 `error`, whatever their bound.
 
     Stones are clear: colours belong to pictures, numbers to the cut.
     """
     tilts = [float(t) for t in tilts]
     plain = gem.isotropic(D_LINE) if gem.birefringent else None
-    still = trace(gem, bound=bound)
+    still = trace(gem, bound=bound, error=error)
     face_up = numbers(still)
-    without = None if plain is None else numbers(trace(gem, medium=plain, bound=bound))
-    face_up["fire"] = fire(gem, tilted_bound)
-    face_up["scintillation"] = scintillation(gem, still, tilted_bound)
+    without = None if plain is None else numbers(trace(gem, medium=plain, bound=bound, error=error))
+    face_up["fire"] = fire(gem, 5 * bound)
+    face_up["scintillation"] = scintillation(gem, still, 5 * bound)
     found = Analysis(gem, face_up, without, tilts)
     jobs = [
         (curve, (t, 0.0) if axis == "x" else (0.0, t), axis, medium)
@@ -234,7 +250,7 @@ def analyse(
     def one(job):
         _, tilt, _, medium = job
         medium = gem.medium(D_LINE) if medium is None else medium
-        return numbers(trace(gem, tilt, medium, tilted_bound, _beams(medium)), _frame(tilt)[2])
+        return numbers(trace(gem, tilt, medium, None, TILTED * error), _frame(tilt)[2])
 
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         for done, (job, result) in enumerate(zip(jobs, pool.map(one, jobs), strict=True), 1):

@@ -9,7 +9,7 @@ import pathlib
 from collections.abc import Iterable
 
 from ._core import __version__
-from .analysis import HEAD, MEANING, SCOPE_HEAD, Analysis
+from .analysis import HEAD, MEANING, SCOPE_HEAD, Analysis, Number
 from .cutting import cutting_table
 from .gem import Gem
 
@@ -79,7 +79,7 @@ def as_dict(found: Analysis) -> dict:
     gem, p = found.gem, found.gem.proportions
 
     def pairs(numbers):
-        return {name: {"value": v, "bound": b} for name, (v, b) in numbers.items()}
+        return {name: number._asdict() for name, number in numbers.items()}
 
     def clean(x):
         return None if isinstance(x, float) and math.isnan(x) else x
@@ -118,33 +118,33 @@ def json_text(analyses: Iterable[Analysis]) -> str:
 
 
 def csv_text(analyses: Iterable[Analysis]) -> str:
-    """One number a line: design, mineral, quantity, tilt about x and y in degrees, value, bound, unit."""
+    """One number a line: design, mineral, quantity, tilt about x and y in degrees, value, bound, standard error, unit."""
     out = io.StringIO()
     table = csv.writer(out, lineterminator="\n")
-    table.writerow(["design", "mineral", "birefringence", "quantity", "tilt_x", "tilt_y", "value", "bound", "unit"])
+    table.writerow(["design", "mineral", "birefringence", "quantity", "tilt_x", "tilt_y", "value", "bound", "error", "unit"])
     for found in analyses:
         gem = found.gem
         head = [gem.name, gem.mineral.id if gem.mineral else "", "yes" if gem.birefringent else "no"]
         plain = [*head[:2], "no"]
         p = gem.proportions
         for name in ("length", "height", "crown", "girdle", "pavilion", "table", "volume", "block_yield"):
-            table.writerow([*head, name, 0, 0, f"{getattr(p, name):.6f}", 0, "W^3" if name == "volume" else "W"])
+            table.writerow([*head, name, 0, 0, f"{getattr(p, name):.6f}", 0, 0, "W^3" if name == "volume" else "W"])
         if gem.carats is not None:
-            table.writerow([*head, "weight", 0, 0, f"{gem.carats:.6f}", 0, "ct"])
+            table.writerow([*head, "weight", 0, 0, f"{gem.carats:.6f}", 0, 0, "ct"])
         for who, numbers in ((head, found.face_up), (plain, found.without or {})):
-            for name, (value, bound) in numbers.items():
-                table.writerow([*who, name, 0, 0, f"{value:.5f}", f"{bound:.5f}", "%"])
+            for name, number in numbers.items():
+                table.writerow([*who, name, 0, 0, *(f"{x:.5f}" for x in number), "%"])
         for who, curves in ((head, found.curves), (plain, found.plain_curves)):
             for axis, curve in curves.items():
                 for tilt, numbers in zip(found.tilts, curve, strict=True):
                     at = [tilt, 0] if axis == "x" else [0, tilt]
-                    for name, (value, bound) in numbers.items():
-                        table.writerow([*who, name, *at, f"{value:.5f}", f"{bound:.5f}", "%"])
+                    for name, number in numbers.items():
+                        table.writerow([*who, name, *at, *(f"{x:.5f}" for x in number), "%"])
         for axis, curve in found.doubled.items():
             for tilt, d in zip(found.tilts, curve, strict=True):
                 if not math.isnan(d.separation_mm):
                     at = [tilt, 0] if axis == "x" else [0, tilt]
-                    table.writerow([*head, "doubling", *at, f"{d.separation_mm:.6f}", 0, "mm"])
+                    table.writerow([*head, "doubling", *at, f"{d.separation_mm:.6f}", 0, 0, "mm"])
     return out.getvalue()
 
 
@@ -169,9 +169,13 @@ def table_text(analyses: list[Analysis]) -> str:
     return "\n".join("  ".join([line[0], *(c.rjust(w) for c, w in zip(line[1:], wide, strict=True))]) for line in lines) + "\n"
 
 
-def _number(pair: tuple[float, float] | None) -> str:
-    """ "45.29 %": value and bound are both in the digits."""
-    return "-" if pair is None else f"{pair[0]:.2f} % (+{pair[1]:.2f})"
+def _number(number: Number | None) -> str:
+    """ "45.29 % ± 0.02": twice the standard error; or what may be missing, "45.29 % (+0.30)"."""
+    if number is None:
+        return "-"
+    if number.error < number.bound:
+        return f"{number.value:.2f} % \N{PLUS-MINUS SIGN} {2 * number.error:.2f}"
+    return f"{number.value:.2f} % (+{number.bound:.2f})"
 
 
 def html(analyses: list[Analysis], size: int = 280, spp: int = 24) -> str:
@@ -246,9 +250,10 @@ def _curves(found: Analysis) -> str:
     for axes, axis in zip(figure.subplots(1, 2, sharey=True), "xy", strict=True):
         for name, colour in colours.items():
             values = [numbers[name] for numbers in found.curves[axis]]
-            low, high = [v for v, _ in values], [v + b for v, b in values]
+            middle = [n.value for n in values]
+            low, high = [n.value - 2 * n.error for n in values], [n.value + 2 * n.error for n in values]
             axes.fill_between(found.tilts, low, high, color=colour, alpha=0.35, linewidth=0)
-            axes.plot(found.tilts, low, color=colour, linewidth=1.4, label=TITLES[name])
+            axes.plot(found.tilts, middle, color=colour, linewidth=1.4, label=TITLES[name])
             if found.plain_curves:
                 plain = [numbers[name][0] for numbers in found.plain_curves[axis]]
                 axes.plot(found.tilts, plain, color=colour, linewidth=0.7, linestyle=":")

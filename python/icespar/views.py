@@ -1,4 +1,4 @@
-"""What a stone returns of the light around it to one who looks from afar: exact sums, each with its bound."""
+"""What a stone returns of the light around it to one who looks from afar: sums over exact beams, each with its bound and error."""
 
 import math
 import os
@@ -22,16 +22,18 @@ _GEMRAY = {"weights": _core.Weights.averaged, "max_hits": 10, "least_power": 1e-
 
 
 class LightReturn(NamedTuple):
-    """A mean radiance: it lies between `value` and `value + bound`."""
+    """A mean radiance. The truth is never further than `bound` from `value`, and within about two `error` of it."""
 
     value: float
-    bound: float
+    bound: float  #: the part of the light that was not followed exactly
+    error: float  #: one standard error of the sample of that part; the bound, if it was not sampled and is left out
 
 
 class View:
     """Where the light came from that a stone sends along one direction; what `view` returns.
 
-    Light is N beams. Each has left the stone in one direction with one weight, over a polygon of the picture.
+    Light is N beams. Each has left the stone in one direction with one weight, over a polygon of the picture. Those of the
+    sample (`group` above 0) have the weight of all for which they stand: sums over all beams are right on average.
     """
 
     def __init__(self, stone: Stone, medium: Medium, towards: ArrayLike, exits: _core.Exits, polarised: bool) -> None:
@@ -78,6 +80,19 @@ class View:
         return self._full.hits
 
     @property
+    def group(self) -> NDArray[np.int32]:
+        """0 for a beam that was followed exactly; else the number of its group in the sample of the rest, (N,).
+
+        The groups, 1 to `groups`, are alike but for chance: how their sums vary tells the error of a sum over all.
+        """
+        return self._full.group
+
+    @property
+    def groups(self) -> int:
+        """Groups of the sample; 0 where nothing was left to sample, or no error was asked for."""
+        return self._exits.groups
+
+    @property
     def facet_area(self) -> _Reals:
         """Of each facet of the stone in the picture, 0 where it is not seen, (F,)."""
         return self._exits.entry_area
@@ -89,8 +104,13 @@ class View:
 
     @property
     def untraced(self) -> float:
-        """The part of all light that was not followed to its end: it bounds the error of every number."""
+        """The part of all light that was not followed exactly: it bounds the error of every number."""
         return self._exits.untraced / self._exits.area_total
+
+    @property
+    def residue(self) -> float:
+        """The part of all light that is missing from the beams: all that is untraced, or next to nothing after a sample."""
+        return self._exits.residue / self._exits.area_total
 
     @property
     def cut(self) -> float:
@@ -142,13 +162,19 @@ class View:
         if radiance.shape != self.area.shape:
             raise Error(f"a light must return one number for each direction, {self.area.shape}, not {radiance.shape}")
         parts = radiance * self._full.weight[:, 0] * self.area
-        if facet is None:
-            return LightReturn(float(parts.sum()) / self.area_total, greatest * self.untraced)
-        area = self.facet_area[facet]
+        area, untraced = self.area_total, self._exits.untraced
+        if facet is not None:
+            parts = np.where(self.entry == facet, parts, 0)
+            area, untraced = self.facet_area[facet], self._exits.entry_untraced[facet]
         if not area > 0:
-            return LightReturn(0.0, 0.0)
-        untraced = self._exits.entry_untraced[facet]
-        return LightReturn(float(parts[self.entry == facet].sum()) / area, greatest * untraced / area)
+            return LightReturn(0.0, 0.0, 0.0)
+        exact, *groups = np.bincount(self.group, parts, minlength=self.groups + 1)
+        bound = float(greatest * untraced / area)
+        if not groups:
+            return LightReturn(float(exact / area), bound, bound)
+        error = math.sqrt(np.var(groups, ddof=1) * len(groups)) + greatest * self._exits.residue
+        value = exact + min(sum(groups), greatest * untraced)
+        return LightReturn(float(value / area), bound, min(bound, float(error / area)))
 
     def __repr__(self) -> str:
         return f"<View of {self.stone!r}, untraced {self.untraced:.2g}>"
@@ -174,9 +200,11 @@ def view(
     axes: ArrayLike | None = None,
     colour: str | None = None,
     absorption: ArrayLike | None = None,
-    bound: float = 1e-3,
+    bound: float | None = 1e-3,
+    error: float | None = 1e-4,
     max_beams: int = 2_000_000,
     time: float | None = None,
+    seed: int = 0,
     max_hits: int | None = None,
     stokes: bool = False,
     cutoff: Literal["gemray"] | None = None,
@@ -185,7 +213,10 @@ def view(
     one direction and one weight.
 
     The heaviest beams are followed first, until no more than `bound` of all light is left, or `max_beams` or `time`
-    (seconds) are used up; what is left bounds the error of every number. A mineral is taken at `wavelength_nm`, with its optic
+    (seconds) are used up; what is left bounds the error of every number. It is then sampled (systematic roulette by weight), so
+    that sums of radiances from 0 to 1 have about the standard error `error`, but for no longer than the exact part took. None as
+    the bound ends that part when sampling the rest to `error` costs no more; None as the error samples nothing, so that
+    the truth lies between each value and value + bound. A mineral is taken at `wavelength_nm`, with its optic
     axis or axes as in `Mineral.medium`. The stone is clear, unless it has a `colour` of `Mineral.colours`, or an `absorption`
     per unit of length (a colour's is per mm) for light polarised along each principal axis: one number, two (across the
     optic axis, along it), or three by rising index; a beam's weight is then its mean. `max_hits` ends each path after so many faces.
@@ -210,8 +241,10 @@ def view(
         direction=direction,
         up=up,
         bound=bound,
+        error=error or 0.0,
         max_beams=max_beams,
         seconds=time or 0.0,
+        seed=seed,
         absorption=[] if absorption is None else np.atleast_1d(np.asarray(absorption, float)).tolist(),
         **(_GEMRAY if cutoff else rules),
     )
@@ -223,7 +256,8 @@ class TiltCurve(NamedTuple):
 
     tilts: _Reals  #: degrees, (T,)
     value: _Reals  #: (T, L)
-    bound: _Reals  #: (T, L): the truth lies between value and value + bound
+    bound: _Reals  #: (T, L): the truth is never further than this from value
+    error: _Reals  #: (T, L): one standard error
 
 
 def tilt_curve(
@@ -235,7 +269,8 @@ def tilt_curve(
     lights: Sequence[Light] = ("iso", "cosine", "sc2"),
     head_shadow: float = 10.0,
     table: bool = False,
-    bound: float = 5e-3,
+    bound: float | None = None,
+    error: float | None = 5e-4,
     threads: int | None = None,
     **options: Any,
 ) -> TiltCurve:
@@ -250,10 +285,10 @@ def tilt_curve(
     def at(tilt: float) -> list[LightReturn]:
         s, c = math.sin(math.radians(tilt)), math.cos(math.radians(tilt))
         direction, up = ((0, -s, -c), (0, c, -s)) if about == "x" else ((s, 0, -c), (0, 1, 0))
-        seen = view(stone, material, direction=direction, up=up, bound=bound, **options)
+        seen = view(stone, material, direction=direction, up=up, bound=bound, error=error, **options)
         return [seen.light_return(light, head_shadow=head_shadow, table=table) for light in lights]
 
     angles = np.atleast_1d(np.asarray(tilts, float))
     with ThreadPoolExecutor(threads or os.cpu_count()) as pool:
-        numbers = np.array(list(pool.map(at, angles.tolist()))).reshape(angles.size, len(lights), 2)
-    return TiltCurve(angles, numbers[:, :, 0], numbers[:, :, 1])
+        numbers = np.array(list(pool.map(at, angles.tolist()))).reshape(angles.size, len(lights), 3)
+    return TiltCurve(angles, *np.moveaxis(numbers, 2, 0))
