@@ -138,7 +138,7 @@ void Parser::unknown_word(Block& block, const Token& token) {
         return diagnostics_.pass_over();
     }
     if (legal) hint = did_you_mean(text, *legal);
-    if (hint.empty() && after != '{') hint = hint_for_name(text, false);
+    if (hint.empty() && after != '{') hint = hint_for_name(where, text, false);
     if (hint.empty()) hint = did_you_mean(text, skipped_words());
     const bool top = block.word == "scene";
     diagnostics_.error(

@@ -90,7 +90,7 @@ void Parser::declare(bool local) {
         const SlotPtr slot = find_shared(token.index);
         if (!slot || !slot->value) {
             throw Fault{where, "'" + name.text + "' is not declared",
-                        hint_for_name(name.text, false)};
+                        hint_for_name(where, name.text, false)};
         }
         assign_element(slot, where);
     } else {

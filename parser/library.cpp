@@ -37,18 +37,22 @@ std::vector<std::string_view> library_names() {
     return names;
 }
 
-std::vector<LibraryName> library_declarations() {
-    std::vector<LibraryName> names;
-    for (const auto& [file, text] : library_files) {
-        for (const std::string_view directive : {"#declare ", "#macro "}) {
-            for (std::size_t at = 0; (at = text.find(directive, at)) != std::string_view::npos;) {
-                at += directive.size();
-                const std::size_t end = std::min(text.find_first_of(" =([\n", at), text.size());
-                names.push_back({text.substr(at, end - at), file});
+const std::vector<LibraryName>& library_declarations() {
+    static const std::vector<LibraryName> all = [] {
+        std::vector<LibraryName> names;
+        for (const auto& [file, text] : library_files) {
+            for (const std::string_view directive : {"#declare ", "#macro "}) {
+                for (std::size_t at = 0;
+                     (at = text.find(directive, at)) != std::string_view::npos;) {
+                    at += directive.size();
+                    const std::size_t end = std::min(text.find_first_of(" =([\n", at), text.size());
+                    names.push_back({text.substr(at, end - at), file});
+                }
             }
         }
-    }
-    return names;
+        return names;
+    }();
+    return all;
 }
 
 }  // namespace icespar

@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -47,7 +48,8 @@ private:
     SlotPtr local_slot(std::uint32_t name);
     SlotPtr global_slot(std::uint32_t name);
     [[nodiscard]] std::vector<std::string_view> declared_names() const;
-    [[nodiscard]] std::string hint_for_name(std::string_view word, bool called) const;
+    /// Empty when there is none, and when one for this place was looked for before.
+    [[nodiscard]] std::string hint_for_name(const Place& where, std::string_view word, bool called);
 
     // --- the stream of tokens (stream.cpp) ---
     struct Condition {
@@ -187,6 +189,7 @@ private:
 
     Sources& sources_;
     Diagnostics& diagnostics_;
+    std::set<std::pair<std::uint32_t, std::uint32_t>> hinted_;  ///< file and first character
     const LoadOptions& options_;
     Names names_;
     std::vector<std::unique_ptr<TokenFile>> files_;

@@ -93,7 +93,7 @@ Value Parser::name_value(const Token& token) {
         throw Fault{where, "expected a value, found the word '" + name + "'", {}};
     }
     std::string message = "'" + name + "' is not declared";
-    std::string hint = hint_for_name(name, raw(1).kind == '(');
+    std::string hint = hint_for_name(where, name, raw(1).kind == '(');
     for (const auto& [local, slot_given] : frame().locals) {
         if (local == token.index) {
             message = "parameter '" + name + "' was given a name that is not declared";

@@ -87,6 +87,6 @@ private:
 struct LibraryName {
     std::string_view name, file;
 };
-[[nodiscard]] std::vector<LibraryName> library_declarations();
+[[nodiscard]] const std::vector<LibraryName>& library_declarations();
 
 }  // namespace icespar

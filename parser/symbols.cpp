@@ -62,11 +62,11 @@ std::vector<std::string_view> Parser::declared_names() const {
     return names;
 }
 
-std::string Parser::hint_for_name(std::string_view word, bool called) const {
-    if (diagnostics_.quiet()) return {};
+std::string Parser::hint_for_name(const Place& where, std::string_view word, bool called) {
+    if (diagnostics_.quiet() || !hinted_.insert({where.file, where.begin}).second) return {};
     std::vector<std::string_view> candidates = declared_names();
     if (called) candidates.insert(candidates.end(), value_words().begin(), value_words().end());
-    const std::vector<LibraryName> library = library_declarations();
+    const std::vector<LibraryName>& library = library_declarations();
     for (const auto& [name, file] : library) {
         if (name == word) return "add #include \"" + std::string(file) + "\" above";
     }

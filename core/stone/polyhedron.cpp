@@ -101,12 +101,38 @@ Hull convex_hull(const std::vector<Point>& points) {
     return hull;
 }
 
-/// loops[i] is empty for a plane that does not touch the polyhedron in a facet.
+/// loops[i] is empty, and areas[i] 0, for a plane that does not touch the polyhedron in a facet.
 struct Polyhedron {
     std::vector<Point> vertices;
     std::vector<Loop> loops;
+    std::vector<double> areas;
+    double volume = 0;
     std::vector<Vec3> open;
 };
+
+/// Edges from a facet's first corner are exact and rounded once. The triangles of its fan all look
+/// the same way, and the origin is inside: nothing cancels.
+void measure(Polyhedron& p) {
+    for (const Loop& loop : p.loops) {
+        double area = 0, height = 0;
+        const auto edge = [&](std::size_t k) {
+            return rounded(p.vertices[loop[k]] - p.vertices[loop[0]]);
+        };
+        if (!loop.empty()) {
+            const Vec3 first = rounded(from_origin(p.vertices[loop[0]]));
+            Vec3 last = edge(1);
+            for (std::size_t k = 2; k < loop.size(); ++k) {
+                const Vec3 next = edge(k), twice = cross(last, next);
+                area += length(twice);
+                height += dot(first, twice);
+                last = next;
+            }
+        }
+        p.areas.push_back(area / 2);
+        p.volume += height;
+    }
+    p.volume /= 6;
+}
 
 /// Directions open to half-spaces whose dual points do not even span space.
 std::vector<Vec3> open_directions(const std::vector<Point>& dual,
@@ -173,31 +199,8 @@ Polyhedron polyhedron(const std::vector<ExactPlane>& planes, const std::vector<b
             out.loops[plane_of[d]].push_back(place->second);
         }
     }
+    measure(out);
     return out;
-}
-
-/// Each triangle of the facet's fan is exact and rounded once; all look the same way.
-double area_of(const Polyhedron& p, const Loop& loop) {
-    double area = 0;
-    const Point& first = p.vertices[loop[0]];
-    for (std::size_t k = 2; k < loop.size(); ++k) {
-        area += length(rounded(
-            CGAL::cross_product(p.vertices[loop[k - 1]] - first, p.vertices[loop[k]] - first)));
-    }
-    return area / 2;
-}
-
-/// The origin is inside, so every tetrahedron under a facet counts positive and nothing cancels.
-double volume_of(const Polyhedron& p) {
-    double volume = 0;
-    for (const Loop& loop : p.loops) {
-        for (std::size_t k = 2; k < loop.size(); ++k) {
-            volume += rounded(CGAL::determinant(from_origin(p.vertices[loop[0]]),
-                                                from_origin(p.vertices[loop[k - 1]]),
-                                                from_origin(p.vertices[loop[k]])));
-        }
-    }
-    return volume / 6;
 }
 
 /// Which planes have a facet wider than rounding.
@@ -209,14 +212,15 @@ std::vector<bool> wide_facets(const Polyhedron& p) {
         size = std::max(size, 2 * length(corners.back()));
     }
     std::vector<bool> wide;
-    for (const Loop& loop : p.loops) {
+    for (std::size_t i = 0; i < p.loops.size(); ++i) {
+        const Loop& loop = p.loops[i];
         double diagonal = 0;
         for (const std::uint32_t a : loop) {
             for (const std::uint32_t b : loop) {
                 diagonal = std::max(diagonal, length(corners[a] - corners[b]));
             }
         }
-        wide.push_back(!loop.empty() && area_of(p, loop) >= narrowest_facet * diagonal * size);
+        wide.push_back(!loop.empty() && p.areas[i] >= narrowest_facet * diagonal * size);
     }
     return wide;
 }
@@ -231,7 +235,7 @@ Polyhedron without_slivers(const std::vector<ExactPlane>& planes) {
                                      [](bool w, const Loop& loop) { return w == !loop.empty(); });
         if (same || std::count(wide.begin(), wide.end(), true) < 4) break;
         Polyhedron next = polyhedron(planes, wide);
-        if (!next.open.empty() || volume_of(next) > volume_of(p) * (1 + 1e-6)) break;
+        if (!next.open.empty() || next.volume > p.volume * (1 + 1e-6)) break;
         p = std::move(next);
     }
     return p;
@@ -248,13 +252,10 @@ Stone stone_of(const Polyhedron& p, const std::vector<ExactPlane>& planes, const
             {Number(CGAL::abs(n.x())), Number(CGAL::abs(n.y())), Number(CGAL::abs(n.z()))});
         const Vec3 direction = rounded(n / largest);
         const double distance = rounded((planes[i].distance + n * centre) / largest);
-        stone.facets.push_back({normalised(direction),
-                                distance / length(direction),
-                                {},
-                                p.loops[i],
-                                area_of(p, p.loops[i])});
+        stone.facets.push_back(
+            {normalised(direction), distance / length(direction), {}, p.loops[i], p.areas[i]});
     }
-    stone.volume = volume_of(p);
+    stone.volume = p.volume;
     return stone;
 }
 
