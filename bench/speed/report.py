@@ -27,6 +27,16 @@ panorama; they average s and p at every facet, so that their pictures converge t
 Seconds in brackets lie beyond the rows measured, and follow the slope of the last two. A program that errs less in its first row has that row's seconds.
 """
 
+WORK = """
+## Cost against work
+
+![seconds against work](speed/work.png)
+
+Stones with facets in random places (8 samples a pixel); a square full of different boxes (8); the isotropic stone above at 4 samples a
+pixel, at 64 with paths cut off after so many faces, and the dispersive one at a quarter of the pixels. What is not named has 128x128 pixels.
+
+"""
+
 
 def plot(curves, scene, path):
     figure, place = plt.subplots(figsize=(5.2, 3.4), layout="constrained")
@@ -39,6 +49,30 @@ def plot(curves, scene, path):
     place.set(xscale="log", yscale="log", xlabel="CPU seconds", ylabel="relative RMSE", title=scene)
     place.grid(alpha=0.3, which="both")
     place.legend(fontsize=8)
+    save(figure, path)
+
+
+def plot_work(rows, path):
+    kinds = list(dict.fromkeys(row[0] for row in rows))
+    figure, places = plt.subplots(1, len(kinds), figsize=(2.3 * len(kinds), 2.4), sharey=True, layout="constrained")
+    for place, kind in zip(places, kinds, strict=True):
+        n, reading, rendering = zip(*(row[1:] for row in rows if row[0] == kind), strict=True)
+        place.plot(n, rendering, "o-", color="tab:blue", markersize=3, label="rendering")
+        if max(reading) > 2 * min(reading):
+            place.plot(n, reading, "o-", color="tab:orange", markersize=3, label="reading")
+            place.legend(fontsize=7)
+        place.set(xscale="log", yscale="log")
+        if max(n) < 100 * min(n):
+            place.set_xticks(n, [str(x) for x in n])
+            place.xaxis.minorticks_off()
+        place.set_xlabel(kind, fontsize=8)
+        place.tick_params(labelsize=7, which="both")
+        place.grid(alpha=0.3, which="both")
+    places[0].set_ylabel("CPU seconds", fontsize=8)
+    save(figure, path)
+
+
+def save(figure, path):
     picture = io.BytesIO()
     figure.savefig(picture, format="png", dpi=90)
     plt.close(figure)
@@ -59,7 +93,7 @@ def table(header, rows):
     return "\n".join(lines) + "\n"
 
 
-def write_report(folder, where, curves, needs, threads):
+def write_report(folder, where, curves, needs, work, threads):
     text = HEAD.format(where=where)
     for scene in dict.fromkeys(c.scene for c in curves):
         plot(curves, scene, pathlib.Path(folder) / "speed" / f"{scene}.png")
@@ -80,6 +114,12 @@ def write_report(folder, where, curves, needs, threads):
             [scene, engine, part, f"{s0:.3f}", f"{s1:.3f}", f"{s1 / s0:.2f}", f"{e0:.4f}", f"{e1:.4f}"]
             for scene, part, engine, _, s0, s1, e0, e1 in needs
         ),
+    )
+    plot_work(work, pathlib.Path(folder) / "speed" / "work.png")
+    text += WORK
+    text += table(
+        ["of", "number", "seconds to read", "seconds to render"],
+        ([what, f"{n:,}", f"{reading:.3f}", f"{rendering:.3f}"] for what, n, reading, rendering in work),
     )
     text += "\n## Threads\n\n"
     if not threads:

@@ -20,6 +20,7 @@ import peers
 from curves import Curve, error_of
 from ours import Ours
 from report import write_report
+from work import work
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
@@ -95,13 +96,14 @@ def main():
     written("speed.csv", ["scene", "program", "level", "cpu_seconds", "relative_rmse"], rows)
     header = ["scene", "part", "engine", "samples", "lesser_s", "full_s", "lesser_rmse", "full_rmse"]
     needs = written("speed_needs.csv", header, list(ours.needs(runs)))
+    sizes = written("speed_work.csv", ["what", "number", "reading_s", "rendering_s"], list(work(options.quick)))
     busy = os.getloadavg()[0] > 1.5  # elapsed time would say more of other programs
     pairs = [] if busy else list(ours.threads(runs))
     threads = written("speed_threads.csv", ["scene", "engine", "one_s", "two_s"], pairs)
     if options.docs:
         where = f"{machine()}, {datetime.date.today():%B %Y}, icespar {icespar.__version__}, {size}x{size} pixels"
         where += " (other renderers in an earlier run)" if options.keep_peers else ""
-        write_report(options.docs, where, curves, needs, threads)
+        write_report(options.docs, where, curves, needs, sizes, threads)
 
 
 if __name__ == "__main__":
