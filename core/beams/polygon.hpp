@@ -33,6 +33,18 @@ struct Extent {
 
 [[nodiscard]] Extent extent(PolygonView polygon);
 
+/// Mean squares over the area.
+struct Moments {
+    double xx = 0, xy = 0, yy = 0;
+    /// Of a number that varies linearly: its variance.
+    [[nodiscard]] double variance(double dx, double dy) const {
+        return dx * dx * xx + 2 * dx * dy * xy + dy * dy * yy;
+    }
+};
+
+/// About the origin, which is the centroid.
+[[nodiscard]] Moments moments(PolygonView polygon, double area);
+
 /// Sets `out` to the part of the polygon where f >= 0, empty when there is none. Two functions of
 /// opposite sign cut along the same points, so that the parts sum to the whole. `out` must be
 /// another polygon.

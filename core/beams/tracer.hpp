@@ -20,6 +20,7 @@ struct Leaf {
     double area = 0;      ///< in pixels
     Expansion position;   ///< on the facet, relative to the stone's centre
     Expansion k;          ///< unit wave vector in the air
+    Vec3 fan;             ///< dk/dc over the colours c of a spectral tracer
     Vec3 s;               ///< the response's s; its p is k x s
     typename Response::Pair response;
     int facet = 0, hits = 0;
@@ -35,14 +36,18 @@ struct Leaf {
 ///   hits,
 ///                       and is not itself the offspring of such a one
 ///   see(leaf)
-template <class Response, bool birefringent>
+/// `spectral`: k's derivative with colour is carried, too.
+template <class Response, bool birefringent, bool spectral = false>
 class BeamTracer {
 public:
     explicit BeamTracer(const FacetSearch& facets)
         : facets_(facets), scratch_(facets.scratch()), air_(Medium::isotropic(1)), medium_(air_) {}
 
-    void set_medium(const Medium& medium) {
+    /// A colour is whatever number indices may depend on: dn_o and dn_e are their derivatives.
+    void set_medium(const Medium& medium, double dn_o = 0, double dn_e = 0) {
         medium_ = medium;
+        swell_o_ = medium.n_o * dn_o;
+        swell_e_ = medium.n_e * dn_e;
         eps_o_ = medium.n_o * medium.n_o;
         eps_e_ = medium.n_e * medium.n_e;
     }
@@ -81,10 +86,14 @@ private:
     using Pair = typename Response::Pair;
     using Single = typename Response::Single;
 
+    struct Nothing {};
+    using Fan = std::conditional_t<spectral, Vec3, Nothing>;
+
     struct Beam {
         Point2 centre;
         double area;
         Expansion position, k;
+        [[no_unique_address]] Fan fan;
         Vec3 s;  ///< a crystal's mode: its E
         std::conditional_t<birefringent, Single, Pair> response;
         int left;  ///< the facet just left
@@ -249,14 +258,29 @@ private:
         return {value, derivative(k.dx), derivative(k.dy)};
     }
 
+    /// dk/dc of the outgoing wave: like any derivative, but the index surface it ends on swells.
+    [[nodiscard]] static Vec3 fanned(const Vec3& fan, const Vec3& normal, const Vec3& flow,
+                                     double swell) {
+        return fan + ((swell - dot(flow, fan)) / dot(flow, normal)) * normal;
+    }
+    /// Half the change with colour of the index surface's equation at k (k . k = eps_o, or
+    /// k . eps k = eps_o eps_e), which is dk . S.
+    [[nodiscard]] double swelling(const Vec3& k, bool extraordinary) const {
+        if (!extraordinary) return swell_o_;
+        const double along = dot(k, medium_.axis), along2 = along * along;
+        return swell_o_ * (eps_e_ - dot(k, k) + along2) + swell_e_ * (eps_o_ - along2);
+    }
+
     template <class Sink>
-    void leave(const Expansion& k, const Vec3& s, const Pair& response, Sink& sink) {
+    void leave(const Expansion& k, const Vec3& s, const Pair& response, const Vec3& normal,
+               Sink& sink) {
         Leaf<Response> leaf;
         leaf.polygon = polygon_;
         leaf.centre = beam_.centre;
         leaf.area = beam_.area;
         leaf.position = beam_.position;
         leaf.k = k;
+        if constexpr (spectral) leaf.fan = fanned(beam_.fan, normal, k.value, 0);
         leaf.s = s;
         leaf.response = response;
         leaf.facet = beam_.left;
@@ -283,11 +307,13 @@ private:
         const Fresnel face = fresnel(n, 1, q);
         if (face.passes) {
             const Vec3 out = k.value + (face.q - q) * normal;
-            leave(matched(k, normal, out, out), beam_.s, incident.times(face.t_s, face.t_p), sink);
+            leave(matched(k, normal, out, out), beam_.s, incident.times(face.t_s, face.t_p), normal,
+                  sink);
         }
         beam_.response = incident.times(face.r_s, face.r_p);
         const auto mirrored = [&](const Vec3& v) { return v - (2 * dot(normal, v)) * normal; };
         beam_.k = {mirrored(k.value), mirrored(k.dx), mirrored(k.dy)};
+        if constexpr (spectral) beam_.fan = mirrored(beam_.fan);
         send(sink);
     }
 
@@ -305,7 +331,7 @@ private:
             const Vec3 out = face.wave_vector(true, 0);
             leave(matched(k, normal, out, out), face.s_direction(),
                   before.leaving(face.flux_amplitude(m, true, 0), face.flux_amplitude(m, true, 1)),
-                  sink);
+                  normal, sink);
         }
         send_modes(
             face, false, k, normal,
@@ -316,12 +342,15 @@ private:
     template <class Coupled, class Sink>
     void send_modes(const Interface& face, bool transmitted, const Expansion& k, const Vec3& normal,
                     const Coupled& coupled, Sink& sink) {
+        [[maybe_unused]] const Fan fan = beam_.fan;
         for (std::size_t i = 0; i < 2; ++i) {
             if (!face.propagating(transmitted, i)) continue;
             beam_.extraordinary = i == 1;
             beam_.response = coupled(i);
             const Vec3 out = face.wave_vector(transmitted, i);
-            beam_.k = matched(k, normal, out, energy(out, i == 1));
+            const Vec3 flow = energy(out, i == 1);
+            beam_.k = matched(k, normal, out, flow);
+            if constexpr (spectral) beam_.fan = fanned(fan, normal, flow, swelling(out, i == 1));
             beam_.s = face.field_direction(transmitted, i);
             send(sink);
         }
@@ -369,7 +398,7 @@ private:
             const Vec3& turned = face.s_direction();
             const Pair arriving = launched.turned(dot(turned, s), dot(turned, cross(k.value, s)));
             // From an isotropic medium both polarisations couple to both reflected ones.
-            leave(back, turned, arriving.through(transfer(face, false)), sink);
+            leave(back, turned, arriving.through(transfer(face, false)), normal, sink);
             send_modes(
                 face, true, k, normal,
                 [&](std::size_t i) {
@@ -381,9 +410,10 @@ private:
             const Pair arriving = on_face(launched, k.value, 1, normal, s);
             const double q = dot(normal, k.value);
             const Fresnel through = fresnel(1, medium_.n_o, q);
-            leave(back, s, arriving.times(through.r_s, through.r_p), sink);
+            leave(back, s, arriving.times(through.r_s, through.r_p), normal, sink);
             const Vec3 in = k.value + (through.q - q) * normal;
             beam_.k = matched(k, normal, in, in);
+            if constexpr (spectral) beam_.fan = fanned({}, normal, in, swelling(in, false));
             beam_.s = s;
             beam_.response = arriving.times(through.t_s, through.t_p);
             send(sink);
@@ -394,6 +424,7 @@ private:
     FacetSearch::Scratch scratch_;
     Medium air_, medium_;
     double eps_o_ = 1, eps_e_ = 1;
+    double swell_o_ = 0, swell_e_ = 0;
     std::vector<Beam> beams_;
     Polygon corners_;
     std::vector<Base> bases_;

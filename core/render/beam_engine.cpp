@@ -8,6 +8,7 @@
 #include "beams/footprint.hpp"
 #include "beams/roulette.hpp"
 #include "beams/tracer.hpp"
+#include "render/sky_spectrum.hpp"
 #include "render/sky_sum.hpp"
 #include "render/visibility.hpp"
 #include "render/walker.hpp"
@@ -94,9 +95,12 @@ class PixelBeams final : public BeamEngine::Kernels {
 public:
     using Isotropic = BeamTracer<Response, false>;
     using Uniaxial = BeamTracer<Response, true>;
+    using SpectralIsotropic = BeamTracer<Response, false, true>;
+    using SpectralUniaxial = BeamTracer<Response, true, true>;
 
     PixelBeams(const World& world, const Needs& needs, const BeamScene::Stones& stones,
-               const Palette& palette, int width, int height)
+               const Palette& palette, const WavelengthSampler& wavelengths, int bands, int width,
+               int height)
         : world_(world),
           needs_(needs),
           stones_(stones),
@@ -104,16 +108,27 @@ public:
           width_(width),
           height_(height),
           walker_(world, palette, needs, false),
-          sky_(world.scene().environment) {
+          sky_(world.scene().environment),
+          spectrum_(world.scene().environment, palette, wavelengths, bands,
+                    Response::stokes ? 4 : 1) {
         const auto add = [&](const Emitter& e) { lights_.push_back(xyz_from_rgb(e.rgb)[1]); };
         add(palette.below);
         add(palette.above);
         for (const Emitter& e : palette.discs) add(e);
         for (std::size_t i = 0; i < stones.facets.size(); ++i) {
-            if (needs.stones[i].birefringent) {
-                tracers_.emplace_back(std::in_place_type<Uniaxial>, stones.facets[i]);
+            const auto add_tracer = [&]<class Tracer>(std::in_place_type_t<Tracer> type) {
+                tracers_.emplace_back(type, stones.facets[i]);
+            };
+            if (needs.stones[i].wavelengths && !needs.surroundings) {
+                if (needs.stones[i].birefringent) {
+                    add_tracer(std::in_place_type<SpectralUniaxial>);
+                } else {
+                    add_tracer(std::in_place_type<SpectralIsotropic>);
+                }
+            } else if (needs.stones[i].birefringent) {
+                add_tracer(std::in_place_type<Uniaxial>);
             } else {
-                tracers_.emplace_back(std::in_place_type<Isotropic>, stones.facets[i]);
+                add_tracer(std::in_place_type<Isotropic>);
             }
         }
     }
@@ -131,7 +146,7 @@ public:
         if (stone == BeamScene::sky) {
             field_ = pixel_field(scene.camera, width_, height_, x, y, {});
             background(pixel_square);
-            flush(false);
+            flush();
             return 0;
         }
         gem_ = stone;
@@ -145,21 +160,14 @@ public:
         if (!needs_.stones[g].wavelengths) {
             roulette_.begin(seed, threshold_);
             trace_stone(crystal, longest_nm);
-            flush(false);
+            flush();
             return needs_.surroundings ? -1 : roulette_.variance();
         }
-        flush(false);
-        dispersive_ = true;
-        // Wavelengths average out what chance there is along each; more of them are needed first.
-        const int waves = std::max(least_wavelengths, samples);
-        threshold_ = 1 / std::max(8.0, std::sqrt(static_cast<double>(samples)));
-        share_ = 1.0 / waves;
-        const double shift = sampler.uniform();
-        for (int w = 0; w < waves; ++w) {
-            sampler.at_wavelength((w + shift) / waves);
-            roulette_.begin(mixed(seed + static_cast<unsigned>(w)), threshold_);
-            trace_stone(crystal, sampler.wavelength_nm());
-            flush(true);
+        flush();
+        if (needs_.surroundings) {
+            follow_wavelengths(crystal, seed);
+        } else {
+            follow_spectrum(crystal, seed);
         }
         return -1;
     }
@@ -180,6 +188,10 @@ public:
     void open() { opened_ = sky_.luminance(lights_); }
     void close(int hits) { roulette_.saw(hits, sky_.luminance(lights_) - opened_); }
     void see(const Leaf<Response>& leaf) {
+        if (spectral_) {
+            spectrum_.add(leaf.k, leaf.fan, leaf.polygon, leaf.area, leaf.response.unpolarised());
+            return;
+        }
         if (!needs_.surroundings) {
             sky_.add(leaf.k, leaf.polygon, leaf.area, leaf.response.unpolarised());
             return;
@@ -194,7 +206,42 @@ public:
     }
 
 private:
-    static constexpr int least_wavelengths = 8;
+    /// Below a sky each path is that of a piece of the spectrum (bench/beams.cpp).
+    void follow_spectrum(const Crystal& crystal, std::uint64_t seed) {
+        spectral_ = true;
+        const int pieces = std::max(1, static_cast<int>(std::lround(0.25 * std::sqrt(samples_))));
+        const int cells = spectrum_.cells();
+        const double shift = sampler_->uniform() - 0.5;
+        int first = 0;
+        for (int i = 0; i < pieces; ++i) {
+            const int last = i + 1 == pieces
+                                 ? cells
+                                 : static_cast<int>(std::lround(cells * (i + 1 + shift) / pieces));
+            share_ = static_cast<double>(last - first) / cells;
+            roulette_.begin(mixed(seed + static_cast<unsigned>(i)),
+                            std::min(1.0, threshold_ / (pieces * share_)));
+            trace_stone(crystal, spectrum_.begin(first, last));
+            first = last;
+        }
+        spectrum_.flush(*sampler_);
+        spectral_ = false;
+    }
+
+    /// Where light goes on as rays each wavelength has paths of its own.
+    void follow_wavelengths(const Crystal& crystal, std::uint64_t seed) {
+        dispersive_ = true;
+        // Wavelengths average out what chance there is along each; more of them are needed first.
+        constexpr int least_wavelengths = 8;
+        const int waves = std::max(least_wavelengths, samples_);
+        threshold_ = 1 / std::max(8.0, std::sqrt(static_cast<double>(samples_)));
+        share_ = 1.0 / waves;
+        const double shift = sampler_->uniform();
+        for (int w = 0; w < waves; ++w) {
+            sampler_->at_wavelength((w + shift) / waves);
+            roulette_.begin(mixed(seed + static_cast<unsigned>(w)), threshold_);
+            trace_stone(crystal, sampler_->wavelength_nm());
+        }
+    }
 
     [[nodiscard]] Point2 random_point(PolygonView polygon) {
         const double u = sampler_->uniform();
@@ -208,13 +255,19 @@ private:
     }
 
     void trace_stone(const Crystal& crystal, double nm) {
-        const double n = crystal.indices[0](nm);
-        const Medium medium = crystal.birefringent()
-                                  ? Medium::uniaxial(n, crystal.indices[1](nm), crystal.axis)
-                                  : Medium::isotropic(n);
+        const IndexFunction &o = crystal.indices.front(), &e = crystal.indices.back();
+        const Medium medium = crystal.birefringent() ? Medium::uniaxial(o(nm), e(nm), crystal.axis)
+                                                     : Medium::isotropic(o(nm));
+        const auto change = [&](const IndexFunction& n) {
+            constexpr double step = 1e-3;
+            const double c = SkySpectrum::colour(nm);
+            return (n(SkySpectrum::wavelength_nm(c + step)) -
+                    n(SkySpectrum::wavelength_nm(c - step))) /
+                   (2 * step);
+        };
         std::visit(
             [&](auto& tracer) {
-                tracer.set_medium(medium);
+                tracer.set_medium(medium, change(o), change(e));
                 for (std::size_t i = 0; i < count_; ++i) {
                     if (parts_[i].facet < 0) continue;
                     tracer.trace(field_, world_.scene().camera.right, parts_[i].polygon,
@@ -247,8 +300,8 @@ private:
         }
     }
 
-    void flush(bool one_wavelength) {
-        if (!needs_.surroundings) sky_.flush(palette_, share_, one_wavelength, *sampler_);
+    void flush() {
+        if (!needs_.surroundings) sky_.flush(palette_, *sampler_);
     }
 
     const World& world_;
@@ -258,9 +311,10 @@ private:
     int width_, height_;
     Walker<Sampler> walker_;
     SkySum sky_;
+    SkySpectrum spectrum_;
     std::vector<double> lights_;  ///< luminances
     double opened_ = 0;
-    std::vector<std::variant<Isotropic, Uniaxial>> tracers_;
+    std::vector<std::variant<Isotropic, Uniaxial, SpectralIsotropic, SpectralUniaxial>> tracers_;
     Roulette roulette_;
     Sampler* sampler_ = nullptr;
     RayField field_;
@@ -269,18 +323,21 @@ private:
     Polygon corners_;
     int gem_ = 0, samples_ = 1;
     double threshold_ = 1, share_ = 1;
-    bool dispersive_ = false;
+    bool dispersive_ = false, spectral_ = false;
 };
 
 }  // namespace
 
-BeamEngine::BeamEngine(const BeamScene& scene, const Palette& palette) {
+BeamEngine::BeamEngine(const BeamScene& scene, const Palette& palette,
+                       const WavelengthSampler& wavelengths, int bands) {
     if (scene.needs_.stokes) {
-        kernels_ = std::make_unique<PixelBeams<FullResponse>>(
-            scene.world_, scene.needs_, *scene.stones_, palette, scene.width_, scene.height_);
+        kernels_ = std::make_unique<PixelBeams<FullResponse>>(scene.world_, scene.needs_,
+                                                              *scene.stones_, palette, wavelengths,
+                                                              bands, scene.width_, scene.height_);
     } else {
         kernels_ = std::make_unique<PixelBeams<IntensityResponse>>(
-            scene.world_, scene.needs_, *scene.stones_, palette, scene.width_, scene.height_);
+            scene.world_, scene.needs_, *scene.stones_, palette, wavelengths, bands, scene.width_,
+            scene.height_);
     }
 }
 

@@ -38,7 +38,8 @@ private:
 /// One worker's beams.
 class BeamEngine {
 public:
-    BeamEngine(const BeamScene& scene, const Palette& palette);
+    BeamEngine(const BeamScene& scene, const Palette& palette, const WavelengthSampler& wavelengths,
+               int bands);
     ~BeamEngine();
     BeamEngine(BeamEngine&&) noexcept;
 

@@ -20,7 +20,7 @@ PixelWorker::PixelWorker(const PreparedScene& p, const Film& film)
     : prepared_(p),
       sampler_(film, p.wavelengths, p.scene.max_trace_level),
       walker_(p.world, p.palette, p.needs, false) {
-    if (p.beams) beams_.emplace(*p.beams, p.palette);
+    if (p.beams) beams_.emplace(*p.beams, p.palette, p.wavelengths, film.bands().count);
 }
 
 void PixelWorker::add(Film& film, int x, int y, std::uint64_t seed, int first, int count,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -70,6 +71,14 @@ public:
         if (bands_.count > 0) {
             add(3 + bands_.of(draw_.wavelength_nm), radiance * draw_.per_density / bands_.width(),
                 seen);
+        }
+    }
+    /// A part of the spectrum: one component, of a light whose channels are known.
+    void see(std::span<const double> radiance, std::size_t component, double seen) {
+        double* at = &sample[component];
+        for (const double r : radiance) {
+            *at += r * seen;
+            at += components_;
         }
     }
     [[nodiscard]] int diffuse_rays(const Branch&) const { return 1; }

@@ -24,15 +24,10 @@ public:
         return sum;
     }
 
-    /// Hands the sums to the sampler, times `share`, and starts anew.
-    void flush(const Palette& palette, double share, bool one_wavelength, Sampler& sampler);
+    /// Hands the sums to the sampler and starts anew.
+    void flush(const Palette& palette, Sampler& sampler);
 
 private:
-    /// Area of the part of a polygon whose directions lie in a disc. `halvings` of the polygon are
-    /// left, for a lamp's edge to be straight within each piece.
-    [[nodiscard]] double within(const Disc& disc, const Expansion& k, PolygonView polygon,
-                                double area, int halvings) const;
-
     const Environment& sky_;
     Stokes below_, above_;
     std::vector<Stokes> discs_;

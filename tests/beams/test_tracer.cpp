@@ -161,6 +161,58 @@ TEST_CASE("a pixel as small as a point sees what its ray sees, in all four compo
     }
 }
 
+TEST_CASE("light leaves a stone of a slightly different colour where its fan points", "[beams]") {
+    struct Leaves : Recorder<IntensityResponse> {
+        std::vector<Vec3> k, fan;
+        void see(const Leaf<IntensityResponse>& leaf) {
+            k.push_back(leaf.k.value);
+            fan.push_back(leaf.fan);
+        }
+    };
+    Draws random(19);
+    constexpr double dn_o = 0.7, dn_e = 1.3, step = 1e-7;
+    const FacetSearch facets(brilliant_stone());
+    int compared = 0;
+    for (int i = 0; i < 40; ++i) {
+        Camera camera = random_camera(random, 6, 1e-12);
+        camera.kind = Camera::Kind::perspective;
+        const Footprint footprint(brilliant_stone(), camera, 1, 1);
+        const RayField field = pixel_field(camera, 1, 1, 0, 0, facets.centre());
+        std::vector<Footprint::Part> parts;
+        std::size_t count = 0;
+        footprint.divide(field, 0, 0, parts, count);
+        if (count != 1 || parts[0].facet < 0) continue;
+        const Vec3 axis = random.direction();
+        const auto followed_at = [&](double c) {
+            Leaves leaves;
+            leaves.depth = 6;
+            const auto run = [&](auto tracer, const Medium& medium) {
+                tracer.set_medium(medium, dn_o, dn_e);
+                tracer.trace(field, camera.right, parts[0].polygon, parts[0].facet, leaves);
+            };
+            const double n_o = 1.7 + dn_o * c, n_e = 1.5 + dn_e * c;
+            if (i % 2 == 0) {
+                run(BeamTracer<IntensityResponse, false, true>(facets), Medium::isotropic(n_o));
+            } else {
+                run(BeamTracer<IntensityResponse, true, true>(facets),
+                    Medium::uniaxial(n_o, n_e, axis));
+            }
+            return leaves;
+        };
+        const Leaves below = followed_at(-step), middle = followed_at(0), above = followed_at(step);
+        if (below.k.size() != middle.k.size() || above.k.size() != middle.k.size()) continue;
+        for (std::size_t leaf = 0; leaf < middle.k.size(); ++leaf) {
+            const Vec3 turn = (above.k[leaf] - below.k[leaf]) / (2 * step);
+            // Near grazing k turns ever faster.
+            const double size = 1 + length(turn);
+            CAPTURE(i, leaf, length(turn), length(middle.fan[leaf]));
+            CHECK(length(turn - middle.fan[leaf]) < 1e-6 * size * size * size);
+            ++compared;
+        }
+    }
+    CHECK(compared > 300);
+}
+
 TEST_CASE("a plate of glass reflects and transmits as the sum over all its echoes",
           "[beams][slab]") {
     // Unpolarised light at 40 degrees on a plate so wide that no beam meets its rim: of each
