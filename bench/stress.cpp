@@ -34,7 +34,7 @@ struct Auditor {
     void see_at_wavelength(double, const Stokes&) {}
     [[nodiscard]] int diffuse_rays(const Branch&) const { return 0; }
     [[nodiscard]] std::pair<double, double> light_point() const { return {0.5, 0.5}; }
-    [[nodiscard]] std::pair<double, double> diffuse_point(int) const { return {0.5, 0.5}; }
+    [[nodiscard]] std::pair<double, double> diffuse_point(int, int) const { return {0.5, 0.5}; }
 
     void weigh(const Stokes& s) {
         const double polarised = polarised_part(s);

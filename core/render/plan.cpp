@@ -1,6 +1,7 @@
 // The choice of kernels in words.
 #include <algorithm>
 
+#include "render/bright_sky.hpp"
 #include "render/needs.hpp"
 
 namespace icespar {
@@ -25,11 +26,6 @@ std::string stones_with(const Scene& scene, const Needs& needs, Property propert
 
 std::string counted(std::size_t n, const std::string& what) {
     return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
-}
-
-bool surfaces_scatter(const Scene& scene) {
-    return std::any_of(scene.things.begin(), scene.things.end(),
-                       [](const Thing& t) { return !t.filter && t.finish.diffuse > 0; });
 }
 
 constexpr const char* asked = "asked for, to compare: no stone needs it";
@@ -112,9 +108,14 @@ PlanLine surroundings(const Scene& scene, const Needs& n) {
 }
 
 PlanLine lights(const Scene& scene) {
-    if (scene.lights.empty()) return {"lights", "none", "the environment and what glows"};
+    if (scene.lights.empty()) {
+        const bool bright = scatters(scene) && !BrightSky(scene.environment).empty();
+        return {"lights", "none",
+                bright ? "diffuse surfaces look for lamps and bright parts of the sky"
+                       : "the environment and what glows"};
+    }
     const std::string count = counted(scene.lights.size(), "light source");
-    if (!surfaces_scatter(scene)) return {"lights", "unused", count + ", but no diffuse surface"};
+    if (!scatters(scene)) return {"lights", "unused", count + ", but no diffuse surface"};
     return {"lights", count, "asked at every point of a diffuse surface"};
 }
 
@@ -153,7 +154,7 @@ std::vector<PlanLine> plan(const Scene& scene, const Needs& n) {
 
 std::vector<std::string> plan_warnings(const Scene& scene) {
     std::vector<std::string> out;
-    if (scene.gems.empty() || !surfaces_scatter(scene)) return out;
+    if (scene.gems.empty() || !scatters(scene)) return out;
     if (!scene.lights.empty()) {
         out.push_back(
             "stones cast plain shadows from light sources onto diffuse surfaces: the light that "

@@ -82,9 +82,9 @@ public:
         }
     }
     [[nodiscard]] int diffuse_rays(const Branch&) const { return 1; }
-    std::pair<double, double> light_point() { return diffuse_point(0); }
-    std::pair<double, double> diffuse_point(int) {
-        const double u = random_.uniform();
+    std::pair<double, double> light_point() { return diffuse_point(0, 1); }
+    std::pair<double, double> diffuse_point(int ray, int rays) {
+        const double u = (ray + random_.uniform()) / rays;
         return {u, random_.uniform()};
     }
 

@@ -49,7 +49,7 @@ public:
     }
     /// An area light answers for its centre.
     [[nodiscard]] std::pair<double, double> light_point() const { return {0.5, 0.5}; }
-    [[nodiscard]] std::pair<double, double> diffuse_point(int ray) const {
+    [[nodiscard]] std::pair<double, double> diffuse_point(int ray, int) const {
         // Fibonacci's lattice over the square.
         const double v = ray / std::numbers::phi;
         return {(ray + 0.5) / hemisphere_rays, v - std::floor(v)};

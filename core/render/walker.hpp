@@ -31,7 +31,7 @@ namespace icespar {
 ///   see_at_wavelength(L, stokes)    spectral radiance L at the traced wavelength
 ///   light_point()                   where on the unit square an area light is asked
 ///   diffuse_rays(branch)            how many rays a diffuse surface sends on
-///   diffuse_point(ray)              where in the unit square ray number `ray` is drawn
+///   diffuse_point(ray, rays)        where in the unit square ray number `ray` of them is drawn
 template <class Guide>
 class Walker {
 public:
@@ -406,18 +406,29 @@ private:
             guide.see_at_wavelength(
                 albedo * cosine * lamp.strength * arrives * light.light(wavelength_nm_), seen);
         }
-        const int rays = guide.diffuse_rays(b);
+        const BrightSky& bright = world_.bright_sky();
+        const double to_bright = bright.empty() ? 0 : 0.5;
+        int rays = guide.diffuse_rays(b);
+        if (rays == 1 && to_bright > 0 && !b.diffused) rays = 2;  // one of each kind
         if (rays == 0) return guide.lose(albedo * seen);
         for (int i = 0; i < rays; ++i) {
-            const auto [u, v] = guide.diffuse_point(i);
-            const Vec3 out = cosine_direction(hit.normal, u, v);
+            const auto [u, v] = guide.diffuse_point(i, rays);
+            const Vec3 out =
+                u < to_bright ? bright.direction(u / to_bright, v)
+                              : cosine_direction(hit.normal, (u - to_bright) / (1 - to_bright), v);
+            // Lambert's cosine over the mixed density of both kinds of rays (Veach and Guibas 1995,
+            // balance heuristic).
+            const double lambert = dot(out, hit.normal) / std::numbers::pi;
+            if (!(lambert > 0)) continue;
+            const double density =
+                (1 - to_bright) * lambert + (to_bright > 0 ? to_bright * bright.density(out) : 0);
             Branch child = Branch::from_sensor(point, out, any_perpendicular(out));
             child.from = here;
             child.diffused = child.one_wavelength = true;
-            child.response = (albedo / rays) * seen;
+            child.response = (albedo / rays * lambert / density) * seen;
             child.hits = b.hits;
             child.bounces = b.bounces + 1;
-            child.weight = child.response.s0;
+            child.weight = albedo / rays * seen.s0;  // of what it may find, lamps counted
             push(child, guide);
         }
     }

@@ -95,7 +95,8 @@ int FacetPlanes::entry(const Vec3& o, const Vec3& d, double& distance_in) const 
 
 World::World(const Scene& scene) : World(scene, needs_of(scene).tree) {}
 
-World::World(const Scene& scene, bool use_tree) : scene_(scene) {
+World::World(const Scene& scene, bool use_tree)
+    : scene_(scene), bright_sky_(scatters(scene) ? scene.environment : Environment{}) {
     std::vector<Bounds> bounds;  // as `bounds_`, but triangle by triangle
     for (const Gem& gem : scene.gems) {
         planes_.emplace_back(gem.stone);

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "render/bright_sky.hpp"
 #include "scene/scene.hpp"
 
 namespace icespar {
@@ -47,7 +48,7 @@ struct Bounds {
 
 class BoundedObjects;
 
-/// The scene arranged for intersection. Keeps references into it.
+/// The scene arranged for intersection, and its bright directions. Keeps references into it.
 class World {
 public:
     /// `use_tree`: let Embree find bounded objects; otherwise all are asked in turn (cheaper for a
@@ -66,6 +67,7 @@ public:
         return planes_[static_cast<std::size_t>(gem)];
     }
     [[nodiscard]] const Scene& scene() const { return scene_; }
+    [[nodiscard]] const BrightSky& bright_sky() const { return bright_sky_; }
     /// Boxes around gems, then around bounded things; and which things have none (planes).
     [[nodiscard]] const std::vector<Bounds>& bounds() const { return bounds_; }
     [[nodiscard]] const std::vector<int>& unbounded() const { return unbounded_; }
@@ -83,6 +85,7 @@ private:
     bool meet_part(int thing, int triangle, const Ray& ray, const Departure& from, Hit& hit) const;
 
     const Scene& scene_;
+    BrightSky bright_sky_;
     std::vector<FacetPlanes> planes_;
     std::vector<Transform> into_thing_;      ///< world to object space
     std::vector<std::vector<Vec3>> meshes_;  ///< corners of each thing's triangles, in the world

@@ -1,6 +1,7 @@
 // The light of formulas, and where the camera stands.
 #include "scene/scene.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "scene/nearby.hpp"
@@ -22,6 +23,11 @@ Stokes formula_light(const Environment& environment, const Vec3& direction) {
         light = {radiance, less * light.s1, less * light.s2, less * light.s3};
     }
     return light;
+}
+
+bool scatters(const Scene& scene) {
+    return std::any_of(scene.things.begin(), scene.things.end(),
+                       [](const Thing& t) { return !t.filter && t.finish.diffuse > 0; });
 }
 
 const Gem* gem_around(const Scene& scene, const Vec3& point) {

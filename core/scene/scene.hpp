@@ -142,6 +142,9 @@ struct SceneFault {
 /// illuminant. What a formula leaves undefined or negative is dark.
 [[nodiscard]] Stokes formula_light(const Environment& environment, const Vec3& direction);
 
+/// Whether any surface is diffuse.
+[[nodiscard]] bool scatters(const Scene& scene);
+
 /// The gem that holds this point in its interior, or nothing.
 [[nodiscard]] const Gem* gem_around(const Scene& scene, const Vec3& point);
 

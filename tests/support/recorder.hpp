@@ -29,7 +29,7 @@ struct Recorder {
     void see_at_wavelength(double, const Stokes&) {}
     [[nodiscard]] int diffuse_rays(const Branch&) const { return 0; }
     [[nodiscard]] std::pair<double, double> light_point() const { return {0.5, 0.5}; }
-    [[nodiscard]] std::pair<double, double> diffuse_point(int) const { return {0.5, 0.5}; }
+    [[nodiscard]] std::pair<double, double> diffuse_point(int, int) const { return {0.5, 0.5}; }
     bool going_on = false;  ///< may_meet said yes to the branch at hand
 };
 
