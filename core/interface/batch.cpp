@@ -138,23 +138,31 @@ void solve_batch(const FaceBatch& faces, const BatchResult& wanted, std::size_t 
 #ifdef ICESPAR_AVX512
     if (width == Lanes::avx512 && widest_lanes() == Lanes::avx512) run = lanes::run_avx512;
 #endif
-    // Of a medium: 0 isotropic, 1 uniaxial, 2 neither or not the medium of such a wave.
+    // Of a medium: its symmetry, or 3 where lanes do not know it.
+    constexpr int unknown = 3;
     const auto kind_of = [](const Medium& m) {
-        return m.plain() ? static_cast<int>(m.birefringent) : 2;
+        return m.absorbing || m.active() ? unknown : static_cast<int>(m.symmetry);
     };
     const auto kind = [&](std::size_t i) {
-        return 3 * kind_of(at(faces.from, i)) + kind_of(at(faces.to, i));
+        return 4 * kind_of(at(faces.from, i)) + kind_of(at(faces.to, i));
     };
     const bool alike = faces.from.stride == 0 && faces.to.stride == 0;
     while (begin < end) {
         const std::size_t next = alike ? end : end_of_run(begin, end, kind);
-        const int from = kind(begin) / 3, to = kind(begin) % 3;
+        const int from = kind(begin) / 4, to = kind(begin) % 4;
         const auto modes = modes_of(at(faces.from, begin));
         const bool fits = faces.mode == modes[0] || faces.mode == modes[1];
-        if (width == Lanes::scalar || from == 2 || to == 2 || !fits) {
+        const auto from_symmetry = static_cast<Symmetry>(from),
+                   to_symmetry = static_cast<Symmetry>(to);
+        const auto mixes = [](Symmetry a, Symmetry b) {
+            return a == Symmetry::uniaxial && b == Symmetry::biaxial;
+        };
+        if (width == Lanes::scalar || from == unknown || to == unknown || !fits ||
+            mixes(from_symmetry, to_symmetry) || mixes(to_symmetry, from_symmetry) ||
+            (from_symmetry == Symmetry::biaxial && faces.by == By::ray)) {
             for (; begin < next; ++begin) solve_one(faces, wanted, begin);
         } else {
-            run(faces, wanted, begin, next, from == 1, to == 1, solve_one);
+            run(faces, wanted, begin, next, from_symmetry, to_symmetry, solve_one);
         }
         begin = next;
     }

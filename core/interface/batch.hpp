@@ -37,8 +37,8 @@ struct ComplexResult {
 };
 
 /// Of the numbers in lanes. Single precision is good to 1e-6 or so where nothing is
-/// ill-conditioned, in about half the time; what lanes leave to Interface is in double precision
-/// all the same.
+/// ill-conditioned, in about half the time; faces of biaxial crystals and what lanes leave to
+/// Interface are in double precision all the same.
 enum class Precision { full, single };
 
 /// One incident wave of unit amplitude for each face, as `plane_wave` makes it.
@@ -81,10 +81,13 @@ enum class Lanes { scalar, baseline, avx512 };
 [[nodiscard]] Lanes widest_lanes();
 
 /// Solves the faces begin .. end - 1, so that threads can share a batch. Faces between transparent
-/// isotropic or uniaxial media are solved several at once and agree with Interface to rounding; all
-/// others, and waves about to merge, by Interface itself. Throws Error, naming the face as
-/// direction[i], where there is no such wave or it does not carry energy towards the face; results
-/// are then incomplete.
+/// isotropic or uniaxial media, and of transparent biaxial crystals with each other or with
+/// isotropic media, are solved several at once and agree with Interface to rounding, but for the
+/// phase of a biaxial crystal's outgoing E (and of the amplitude that goes with it), which is free.
+/// All others, biaxial crystals by ray, and whatever is delicate (waves about to merge, biaxial
+/// crystals' waves near grazing or near an optic axis) are solved by Interface itself. Throws
+/// Error, naming the face as direction[i], where there is no such wave or it does not carry energy
+/// towards the face; results are then incomplete.
 void solve_batch(const FaceBatch& faces, const BatchResult& wanted, std::size_t begin,
                  std::size_t end, Lanes width = widest_lanes());
 

@@ -63,9 +63,9 @@ IncidentWave<R> IncidentWave<R>::refined(const Medium& medium, const FaceFrame& 
     IncidentWave out;
     FaceAxes<R>& axes = out.axes;
     axes.z = normalised(converted<R>(frame.z));
-    // x lies along k, where it is inclined enough to say so: near an optic axis even a rounding of k
-    // turns the field, and the energy of a wave that grazes the face with it. Elsewhere k across the
-    // frame's x is left out.
+    // x lies along k, where it is inclined enough to say so: near an optic axis even a rounding of
+    // k turns the field, and the energy of a wave that grazes the face with it. Elsewhere k across
+    // the frame's x is left out.
     const Vector3<R> along = d - dot(d, axes.z) * axes.z;
     const Vector3<R> x = dot(along, along) > R(0.25) ? along : converted<R>(frame.x);
     axes.x = normalised(x - dot(x, axes.z) * axes.z);

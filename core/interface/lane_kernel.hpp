@@ -17,7 +17,9 @@ struct Kernel {
     /// since rounding may take all of it.
     static constexpr double least_flux = single<V> ? 1e-5 : 1e-140;
 
-    static std::size_t mode_index_of(Mode m) { return m == Mode::p || m == Mode::extraordinary; }
+    static std::size_t mode_index_of(Mode m) {
+        return m == Mode::p || m == Mode::extraordinary || m == Mode::slow;
+    }
 
     void leave(const Group<V>& group, const Mask<V>& lanes) const {
         for (std::size_t lane = 0; lane < group.count; ++lane) {
@@ -35,8 +37,8 @@ struct Kernel {
         return any;
     }();
 
-    template <bool uniaxial>
-    void write_incident(const Group<V>& group, const Incident<V, uniaxial>& in) const {
+    template <class Wave>
+    void write_incident(const Group<V>& group, const Wave& in) const {
         const WaveColumns& to = result.incident;
         group.store(to.power, V(1));
         group.store(to.amplitude_real, V(1));
@@ -55,10 +57,10 @@ struct Kernel {
         return m.eps_o * k + ((m.eps_e - m.eps_o) * dot(k, m.axis)) * m.axis;
     }
 
-    template <bool uniaxial, class T>
-    void write(const Group<V>& group, const Frame<V>& frame, const MediumLanes<V>& medium,
-               const FaceWave<T, V>& wave, std::size_t i, const Mask<V>& propagating,
-               const WaveColumns& to) const {
+    /// `flow` gives the direction of a propagating wave's energy from its k.
+    template <class T, class Flow>
+    void write(const Group<V>& group, const Frame<V>& frame, const FaceWave<T, V>& wave,
+               const Mask<V>& propagating, const Flow& flow, const WaveColumns& to) const {
         const bool ray_wanted = wanted(to.ray) || to.n_ray.data;
         if (ray_wanted || wanted(to.k) || to.n_phase.data) {
             const Vector3<V> k = frame.kt * frame.x + real_part(wave.q) * frame.z;
@@ -66,7 +68,7 @@ struct Kernel {
             if (wanted(to.k.imag)) group.store(to.k.imag, imag_part(wave.q) * frame.z);
             if (to.n_phase.data) group.store(to.n_phase, sqrt(norm_of(k)));
             if (ray_wanted) {
-                Vector3<V> ray = unit(energy_flow<uniaxial>(medium, k, i));
+                Vector3<V> ray = unit(flow(k));
                 if constexpr (!std::is_same_v<T, V>) {
                     if (!all_of(propagating)) {
                         ray = select<V>(propagating, ray, mean_flow(frame, wave));
@@ -96,11 +98,11 @@ struct Kernel {
         return frame.from_face(Vector3<V>{select<V>(flows, f * x, V(1)), f * y, f * z});
     }
 
-    template <class T>
+    template <class A, class T>
     void write_total(const Group<V>& group, const Frame<V>& frame, const Pair<T, V>& waves,
-                     const std::array<T, 2>& amplitude, const TotalColumns& to) const {
+                     const std::array<A, 2>& amplitude, const TotalColumns& to) const {
         if (!fields_wanted(to)) return;
-        Vector3<T> E, H;
+        Vector3<A> E, H;
         for (std::size_t i = 0; i < 2; ++i) {
             const FaceWave<T, V>& w = waves[i];
             E += amplitude[i] * w.E;
@@ -136,10 +138,12 @@ struct Kernel {
             const auto propagating = [&](const auto& m, bool uniaxial) {
                 return uniaxial && i == 1 ? m.real_e : m.real_o;
             };
-            write<from_uniaxial>(group, frame, from, s.reflected[i], i,
-                                 propagating(near, from_uniaxial), r);
-            write<to_uniaxial>(group, frame, to, s.transmitted[i], i, propagating(far, to_uniaxial),
-                               t);
+            write(
+                group, frame, s.reflected[i], propagating(near, from_uniaxial),
+                [&](const Vector3<V>& k) { return energy_flow<from_uniaxial>(from, k, i); }, r);
+            write(
+                group, frame, s.transmitted[i], propagating(far, to_uniaxial),
+                [&](const Vector3<V>& k) { return energy_flow<to_uniaxial>(to, k, i); }, t);
         }
     }
 
@@ -269,30 +273,5 @@ struct Kernel {
         }
     }
 };
-
-template <class V>
-void run(const FaceBatch& faces, const BatchResult& wanted, std::size_t begin, std::size_t end,
-         bool from_uniaxial, bool to_uniaxial, SolveOne solve_one) {
-    const Kernel<V> kernel{faces, wanted, solve_one};
-    if (from_uniaxial && to_uniaxial) {
-        kernel.template run<true, true>(begin, end);
-    } else if (from_uniaxial) {
-        kernel.template run<true, false>(begin, end);
-    } else if (to_uniaxial) {
-        kernel.template run<false, true>(begin, end);
-    } else {
-        kernel.template run<false, false>(begin, end);
-    }
-}
-
-/// In lanes as wide as the options of this file allow.
-template <class... Arguments>
-void run_native(const FaceBatch& faces, const Arguments&... arguments) {
-    if (faces.precision == Precision::single) {
-        run<std::experimental::native_simd<float>>(faces, arguments...);
-    } else {
-        run<std::experimental::native_simd<double>>(faces, arguments...);
-    }
-}
 
 }  // namespace icespar::lanes

@@ -16,10 +16,11 @@ constexpr bool fields_wanted(const Columns& c) {
 /// Solves a face that lanes leave to Interface.
 using SolveOne = void (*)(const FaceBatch&, const BatchResult&, std::size_t);
 
-/// Faces begin .. end - 1 between transparent media, each isotropic or uniaxial.
+/// Faces begin .. end - 1 between transparent media of these kinds; not uniaxial to biaxial, nor
+/// back.
 void run_baseline(const FaceBatch&, const BatchResult& wanted, std::size_t begin, std::size_t end,
-                  bool from_uniaxial, bool to_uniaxial, SolveOne);
+                  Symmetry from, Symmetry to, SolveOne);
 void run_avx512(const FaceBatch&, const BatchResult& wanted, std::size_t begin, std::size_t end,
-                bool from_uniaxial, bool to_uniaxial, SolveOne);
+                Symmetry from, Symmetry to, SolveOne);
 
 }  // namespace icespar::lanes

@@ -188,8 +188,8 @@ struct FaceWave {
 template <class T, class V>
 using Pair = std::array<FaceWave<T, V>, 2>;
 
-template <class T, class V>
-T pairing(const FaceWave<T, V>& a, const FaceWave<T, V>& b) {
+template <class S, class T, class V>
+auto pairing(const FaceWave<S, V>& a, const FaceWave<T, V>& b) {
     return a.E.x * b.hy - a.E.y * b.hx + b.E.x * a.hy - b.E.y * a.hx;
 }
 

@@ -14,12 +14,6 @@
 
 namespace icespar {
 
-/// The inverse times the determinant.
-inline RealTensor cofactors(const RealTensor& t) {
-    return {t.yy * t.zz - t.yz * t.yz, t.xx * t.zz - t.xz * t.xz, t.xx * t.yy - t.xy * t.xy,
-            t.xy * t.xz - t.xx * t.yz, t.xy * t.yz - t.yy * t.xz, t.xz * t.yz - t.xy * t.zz};
-}
-
 template <class T>
 struct QuickWave {
     T q{};

@@ -70,6 +70,13 @@ SymmetricTensor<To> converted(const SymmetricTensor<T>& t) {
             static_cast<To>(t.yz), static_cast<To>(t.xz), static_cast<To>(t.xy)};
 }
 
+/// The inverse times the determinant.
+template <class T>
+SymmetricTensor<T> cofactors(const SymmetricTensor<T>& t) {
+    return {t.yy * t.zz - t.yz * t.yz, t.xx * t.zz - t.xz * t.xz, t.xx * t.yy - t.xy * t.xy,
+            t.xy * t.xz - t.xx * t.yz, t.xy * t.yz - t.yy * t.xz, t.xz * t.yz - t.xy * t.zz};
+}
+
 /// v v^T.
 template <class T>
 SymmetricTensor<T> dyad(const Vector3<T>& v) {
