@@ -136,9 +136,17 @@ int main(int argc, char** argv) {
         "beams where there is a stone (default)");
     render
         ->add_option("--error", arguments.options.error,
-                     "Stop when the picture's estimated relative error is below E")
+                     "Stop when the picture's estimated relative error is below E; calm parts of "
+                     "it stop earlier")
         ->type_name("E")
         ->check(positive);
+    render
+        ->add_option("--error-metric", arguments.options.metric,
+                     "What --error bounds: the root mean square (rms, the default) of the pixels'\n"
+                     "estimated errors, or the largest (max), over the picture's mean")
+        ->type_name("rms|max")
+        ->transform(CLI::CheckedTransformer(std::map<std::string, ErrorMetric>{
+            {"rms", ErrorMetric::rms}, {"max", ErrorMetric::largest}}));
     render->add_option("--time", arguments.options.seconds, "Stop after T seconds")
         ->type_name("T")
         ->check(positive);

@@ -24,6 +24,8 @@ struct Image {
     /// Index ((y * width + x) * bands + band) * components + s; components 1 or 4.
     std::vector<float> spectral;
     int spectral_components = 0;
+    /// Of the luminance, index y * width + x; empty when it is not known. In no file.
+    std::vector<float> standard_error;
     /// What is written beside the pixels: scene, seed, samples, error estimate, dropped energy,
     /// version.
     std::map<std::string, std::string> metadata;

@@ -77,27 +77,44 @@ void Film::end_pass(int x, int y, double variance) {
     ++s.passes;
 }
 
-double Film::error() const {
-    double variance = 0, mean = 0;
-    for (std::size_t p = 0; p < spread_.size(); ++p) {
-        const Spread& s = spread_[p];
+std::vector<double> Film::variances() const {
+    std::vector<double> own;
+    own.reserve(spread_.size());
+    for (const Spread& s : spread_) {
         const double passes = s.passes, samples = s.samples;
         const bool told = s.passes > 0 && s.told == s.passes;
-        if (passes < 2 && !told) return 0;
-        mean += s.before / samples;
-        if (told) {
-            variance += s.known / (samples * samples);
-            continue;
-        }
+        if (passes < 2 && !told) return {};
         // A pass of weight w has the variance of one sample over w.
-        const double of_one = (s.squares - s.before * s.before / samples) / (passes - 1);
-        variance += std::max(0.0, of_one) / samples;
+        own.push_back(told ? s.known / (samples * samples)
+                           : std::max(0.0, s.squares - s.before * s.before / samples) /
+                                 ((passes - 1) * samples));
     }
-    const auto pixels = static_cast<double>(spread_.size());
-    return mean > 0 ? std::sqrt(variance / pixels) / (mean / pixels) : 0;
+    std::vector<double> shared(own.size());
+    for (int y = 0; y < height_; ++y) {
+        for (int x = 0; x < width_; ++x) {
+            double sum = 0;
+            int pixels = 0;
+            for (int v = std::max(0, y - 2); v <= std::min(height_ - 1, y + 2); ++v) {
+                for (int u = std::max(0, x - 2); u <= std::min(width_ - 1, x + 2); ++u) {
+                    sum += own[pixel(u, v)];
+                    ++pixels;
+                }
+            }
+            shared[pixel(x, y)] = sum / pixels;
+        }
+    }
+    return shared;
 }
 
-Image Film::image() const {
+double Film::mean_luminance() const {
+    double sum = 0;
+    for (const Spread& s : spread_) {
+        if (s.samples > 0) sum += s.before / s.samples;
+    }
+    return sum / static_cast<double>(spread_.size());
+}
+
+Image Film::image(const std::vector<double>& variances) const {
     Image out;
     out.width = width_;
     out.height = height_;
@@ -106,6 +123,7 @@ Image Film::image() const {
     const auto parts = static_cast<std::size_t>(components_);
     const auto count = static_cast<std::size_t>(bands_.count);
     out.rgb.resize(pixels * 3);
+    for (const double v : variances) out.standard_error.push_back(static_cast<float>(std::sqrt(v)));
     if (components_ == 4 && count == 0) out.rgb_stokes.resize(pixels * 9);
     out.spectral.resize(pixels * count * parts);
     out.spectral_components = count > 0 ? components_ : 0;

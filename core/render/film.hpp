@@ -46,13 +46,14 @@ public:
     /// `variance` of the mean luminance of the pass's samples, where it is known (not negative).
     void end_pass(int x, int y, double variance = -1);
 
-    /// Relative RMS error of the picture's luminance: the root of the mean variance of the pixels
-    /// over the mean luminance, the variance estimated from how much passes differ, since
-    /// samples within a pass are not independent, unless every pass told its own. 0 with fewer than
-    /// 2 passes or for a black picture.
-    [[nodiscard]] double error() const;
+    /// Variance of the luminance of each pixel, from how much its passes differ, since samples
+    /// within a pass are not independent, unless every pass told its own. Neighbours share what
+    /// they know: the mean over 3x3 pixels. Empty while a pixel has ended fewer than 2 passes.
+    [[nodiscard]] std::vector<double> variances() const;
+    [[nodiscard]] double mean_luminance() const;
 
-    [[nodiscard]] Image image() const;
+    /// With the standard error of each pixel's luminance where `variances` are given.
+    [[nodiscard]] Image image(const std::vector<double>& variances = {}) const;
 
     /// Of all samples: pixel by pixel, channel by channel, component by component.
     [[nodiscard]] const std::vector<double>& sums() const { return sums_; }

@@ -10,10 +10,12 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <numeric>
 #include <sstream>
 #include <thread>
 
 #include "math/error.hpp"
+#include "render/effort.hpp"
 #include "render/film.hpp"
 #include "render/pixel_worker.hpp"
 #include "render/view_picture.hpp"
@@ -21,9 +23,10 @@
 namespace icespar {
 namespace {
 
-constexpr int tile = 16;
 constexpr int samples_per_pass = 8;
 constexpr int default_samples = 64;
+/// Before that a tile's own error is no reason to leave it alone.
+constexpr int least_samples = 4 * samples_per_pass;
 
 void check(const Scene& scene, const RenderOptions& o) {
     constexpr int largest = 65536, most_bands = 400;
@@ -93,10 +96,12 @@ Rendering render(const Scene& scene, const RenderOptions& options,
         [&] { return PixelWorker(prepared, film); });
     tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
 
-    const int across = (options.width + tile - 1) / tile, down = (options.height + tile - 1) / tile;
-    const int tiles = across * down;
+    const Tiles tiles{options.width, options.height};
     // Per tile, so that sums do not depend on the threads.
-    std::vector<PixelWorker::Account> accounts(static_cast<std::size_t>(tiles));
+    std::vector<PixelWorker::Account> accounts(static_cast<std::size_t>(tiles.count()));
+    std::vector<int> done(accounts.size());  // samples a pixel
+    std::vector<int> active(done.size());
+    std::iota(active.begin(), active.end(), 0);
 
     RenderReport report;
     Progress state;
@@ -112,18 +117,17 @@ Rendering render(const Scene& scene, const RenderOptions& options,
         if (report.interrupted || late) stop = true;
     };
 
-    const auto render_tile = [&](int index, int first_sample, int count) {
+    const auto render_tile = [&](int tile, int count) {
         PixelWorker& worker = workers.local();
-        PixelWorker::Account& account = accounts[static_cast<std::size_t>(index)];
-        const bool ends_pass = by_beams || (first_sample + count) % samples_per_pass == 0;
-        const int x0 = index % across * tile, y0 = index / across * tile;
-        for (int y = y0; y < std::min(y0 + tile, options.height); ++y) {
-            for (int x = x0; x < std::min(x0 + tile, options.width); ++x) {
-                look();
-                if (stop) return;
-                worker.add(film, x, y, options.seed, first_sample, count, ends_pass, account);
-            }
-        }
+        PixelWorker::Account& account = accounts[static_cast<std::size_t>(tile)];
+        int& first = done[static_cast<std::size_t>(tile)];
+        const bool ends_pass = by_beams || (first + count) % samples_per_pass == 0;
+        tiles.visit(tile, [&](int x, int y) {
+            look();
+            if (!stop) worker.add(film, x, y, options.seed, first, count, ends_pass, account);
+            return !stop;
+        });
+        if (!stop) first += count;
     };
 
     // Tiles go out in batches so that the caller hears from us a few times a second.
@@ -140,45 +144,61 @@ Rendering render(const Scene& scene, const RenderOptions& options,
         report.paths = view.interrupted ? 0 : static_cast<std::uint64_t>(pixels);
         report.dropped = view.untraced * pixels;
     }
+    int most = 0;  // samples a pixel of any tile
+    std::vector<double> variances;
     while (!report.interrupted && !enough) {
-        int count = by_beams ? next_beam_pass(options, report.samples, samples, report.error,
+        int count = by_beams ? next_beam_pass(options, most, samples, report.error,
                                               prepared.beams->tells_error())
-                             : next_ray_pass(options, report.samples);
-        if (samples > 0) count = std::min(count, samples - report.samples);
+                             : next_ray_pass(options, most);
+        if (samples > 0) count = std::min(count, samples - most);
+        const int wanted = static_cast<int>(active.size());
         int end = 0;
-        for (int begin = 0; begin < tiles && !stop; begin = end) {
-            end = std::min(begin + batch, tiles);
+        for (int begin = 0; begin < wanted && !stop; begin = end) {
+            end = std::min(begin + batch, wanted);
             const double before = seconds();
             arena.execute([&] {
                 tbb::parallel_for(
-                    begin, end, [&](int t) { render_tile(t, report.samples, count); },
+                    begin, end,
+                    [&](int i) { render_tile(active[static_cast<std::size_t>(i)], count); },
                     tbb::simple_partitioner());
             });
             const double took = seconds() - before;
             state.seconds = seconds();
-            double done = 0;
-            const double passes = report.samples + count * static_cast<double>(end) / tiles;
-            if (samples > 0) done = passes / samples;
-            if (options.seconds > 0) done = std::max(done, state.seconds / options.seconds);
+            state.done = 0;
+            const double passes = most + count * static_cast<double>(end) / wanted;
+            if (samples > 0) state.done = passes / samples;
+            if (options.seconds > 0)
+                state.done = std::max(state.done, state.seconds / options.seconds);
             if (options.error > 0 && state.error > 0) {
-                done = std::max(done, std::min(1.0, options.error * options.error /
-                                                        (state.error * state.error)) *
-                                          passes / std::max(1, report.samples));
+                state.done = std::max(state.done, std::min(1.0, options.error * options.error /
+                                                                    (state.error * state.error)) *
+                                                      passes / std::max(1, most));
             }
-            state.done = std::min(1.0, done);
+            state.done = std::min(1.0, state.done);
             if (progress && !progress(state)) stop = report.interrupted = true;
-            if (options.seconds > 0 && state.seconds >= options.seconds && report.samples > 0)
-                break;
-            if (took < 0.1) batch = std::min(2 * batch, tiles);
+            if (options.seconds > 0 && state.seconds >= options.seconds && most > 0) break;
+            if (took < 0.1) batch = std::min(2 * batch, tiles.count());
         }
-        if (end == tiles && !stop) report.samples += count;
-        report.error = state.error = film.error();
-        state.samples = report.samples;
+        if (end == wanted && !stop) most += count;
+        double sampled = 0;
+        for (int t = 0; t < tiles.count(); ++t) {
+            sampled += double(tiles.pixels(t)) * done[static_cast<std::size_t>(t)];
+        }
+        report.samples = state.samples =
+            static_cast<int>(sampled / options.width / options.height + 0.5);
+        variances = film.variances();
+        const double mean = film.mean_luminance();
+        report.error = state.error = relative_error(variances, mean, options.metric);
         constexpr int most_samples = 1 << 30;
-        enough = (samples > 0 && report.samples >= samples) || report.samples >= most_samples ||
-                 (options.seconds > 0 && seconds() >= options.seconds) ||
-                 (options.error > 0 && report.error <= options.error &&
-                  report.samples >= 2 * samples_per_pass);
+        enough =
+            (samples > 0 && most >= samples) || most >= most_samples ||
+            (options.seconds > 0 && seconds() >= options.seconds) ||
+            (options.error > 0 && report.error <= options.error && most >= 2 * samples_per_pass);
+        if (options.error > 0 && report.error > 0 && most >= least_samples) {
+            std::vector<int> rest =
+                unfinished(tiles, variances, mean, done, options.error, options.metric);
+            if (!rest.empty()) active = std::move(rest);
+        }
     }
 
     for (const PixelWorker::Account& a : accounts) {
@@ -196,7 +216,7 @@ Rendering render(const Scene& scene, const RenderOptions& options,
     }
     report.seconds = seconds();
     report.engine = needs.engine;
-    Rendering out{film.image(), report};
+    Rendering out{film.image(variances), report};
     auto& m = out.image.metadata;
     m["scene"] = scene.title;
     m["seed"] = std::to_string(options.seed);

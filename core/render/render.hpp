@@ -12,10 +12,13 @@
 
 namespace icespar {
 
+/// What of the pixels' standard errors is the picture's error, over its mean luminance.
+enum class ErrorMetric { rms, largest };
+
 struct RenderOptions {
     int width = 640, height = 480;
     int samples = 0;   ///< per pixel; 0: until `error` or `seconds`
-    double error = 0;  ///< stop when the picture's estimated relative RMS error is below; 0: ignore
+    double error = 0;  ///< stop when the picture's estimated relative error is below; 0: ignore
     double seconds = 0;  ///< stop after this time; 0: ignore. All three 0: 64 samples
     int threads = 0;     ///< 0: all. The picture does not depend on it (but for `seconds`)
     std::uint64_t seed = 0;
@@ -23,12 +26,13 @@ struct RenderOptions {
     bool stokes = false;
     Engine engine = Engine::automatic;
     Forced forced{};  ///< kernels that the scene does not need
+    ErrorMetric metric = ErrorMetric::rms;
 };
 
 struct Progress {
     double done = 0;     ///< 0 .. 1, by whichever bound is nearest
     double seconds = 0;  ///< since the start
-    double error = 0;    ///< estimated relative RMS error of the picture so far; 0: not known yet
+    double error = 0;    ///< estimated relative error of the picture so far; 0: not known yet
                          ///< (fewer than 16 samples)
     int samples = 0;     ///< per pixel, finished
 };
@@ -38,7 +42,7 @@ struct Progress {
 using ProgressCallback = std::function<bool(const Progress&)>;
 
 struct RenderReport {
-    int samples = 0;                      ///< per pixel
+    int samples = 0;                      ///< per pixel, on average
     std::uint64_t paths = 0, events = 0;  ///< camera paths; interface events
     double seconds = 0, error = 0;
     double absorbed = 0;            ///< mean power per camera path that ends within stones

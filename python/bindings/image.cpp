@@ -43,6 +43,10 @@ void bind_image(py::module_& module) {
                                    return view(self, i.rgb_stokes, {i.height, i.width, 3, 3});
                                }),
                                "S1, S2, S3 of each colour, (H, W, colour, 3), or None.")
+        .def_property_readonly("standard_error", viewed([](const py::object& self, Image& i) {
+                                   return view(self, i.standard_error, {i.height, i.width});
+                               }),
+                               "Of the luminance, (H, W), or None.")
         .def_property_readonly(
             "spectral", viewed([](const py::object& self, Image& i) {
                 return view(self, i.spectral,
@@ -82,12 +86,16 @@ void bind_image(py::module_& module) {
         .value("rays", Engine::rays)
         .value("beams", Engine::beams)
         .value("exact", Engine::exact);
+    py::enum_<ErrorMetric>(module, "ErrorMetric", "What of the pixels' errors a picture's is.")
+        .value("rms", ErrorMetric::rms)
+        .value("max", ErrorMetric::largest);
     py::class_<RenderReport>(module, "RenderReport", "What a render did.")
         .def_readonly("samples", &RenderReport::samples, "A pixel.")
         .def_readonly("paths", &RenderReport::paths, "Camera paths.")
         .def_readonly("events", &RenderReport::events, "Interface events.")
         .def_readonly("seconds", &RenderReport::seconds)
-        .def_readonly("error", &RenderReport::error, "Estimated relative RMS error of the picture.")
+        .def_readonly("error", &RenderReport::error,
+                      "Estimated relative error of the picture, by the metric asked for.")
         .def_readonly("dropped", &RenderReport::dropped,
                       "Mean power of a camera path that a bound on depth gave up.")
         .def_readonly("bad_samples", &RenderReport::bad_samples, "NaN or infinite, left out.")

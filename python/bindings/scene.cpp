@@ -138,15 +138,15 @@ void bind_scene(py::module_& module) {
         "render",
         [](const Scene& scene, int width, int height, int samples, double error, double seconds,
            int threads, std::uint64_t seed, int bands, bool stokes, Engine engine,
-           const std::vector<std::string>& full, const py::object& progress) {
+           const std::vector<std::string>& full, ErrorMetric metric, const py::object& progress) {
             return render_scene(scene,
                                 {width, height, samples, error, seconds, threads, seed, bands,
-                                 stokes, engine, forced(full)},
+                                 stokes, engine, forced(full), metric},
                                 progress);
         },
         "scene"_a, py::kw_only(), "width"_a, "height"_a, "samples"_a, "error"_a, "seconds"_a,
-        "threads"_a, "seed"_a, "bands"_a, "stokes"_a, "engine"_a, "full"_a, "progress"_a,
-        "The image and the report.");
+        "threads"_a, "seed"_a, "bands"_a, "stokes"_a, "engine"_a, "full"_a, "metric"_a,
+        "progress"_a, "The image and the report.");
     module.def(
         "plan",
         [](const Scene& scene, bool stokes, Engine engine, const std::vector<std::string>& full) {

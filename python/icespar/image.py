@@ -65,6 +65,15 @@ class Image:
         return joined
 
     @property
+    def standard_error(self) -> NDArray[np.float32] | None:
+        """Estimated standard error of each pixel's luminance, (H, W), in the units of `rgb`; a view.
+
+        Pixels share their estimate with their neighbours. None when there was one pass of samples only, and
+        for exact beams, which have no noise.
+        """
+        return self._core.standard_error
+
+    @property
     def metadata(self) -> dict[str, str]:
         """What an .exr says beside its pixels: scene, seed, samples, error, dropped energy, version."""
         return self._core.metadata

@@ -111,11 +111,13 @@ class Scene:
         spectral: int = 0,
         engine: Literal["auto", "rays", "beams", "exact"] = "auto",
         full: bool | Iterable[str] = False,
+        error_metric: Literal["rms", "max"] = "rms",
         progress: bool | Callable[[_core.Progress], bool | None] = True,
     ) -> Image:
         """Renders to an Image of `size` (width, height).
 
-        The render ends with the first bound it reaches: the estimated relative RMS `error` of the picture,
+        The render ends with the first bound it reaches: the estimated relative `error` of the picture (the root mean
+        square of its pixels' over its mean, or their largest with `error_metric` "max"; `Image.standard_error` has them all),
         `spp` samples a pixel, or `time` in seconds; with none given, 64 samples. The same seed and samples
         make the same bits for any number of `threads` (0: all).
         `stokes` keeps the polarisation, `spectral` that many bands of the spectrum.
@@ -142,6 +144,7 @@ class Scene:
             stokes=bool(stokes),
             engine=_engine(engine),
             full=_parts(full),
+            metric=_metric(error_metric),
             **bounds,
         )
         if callable(progress):
@@ -266,6 +269,13 @@ def _engine(name: str) -> _core.Engine:
     if name not in engines:
         raise ValueError(f"engine: {name!r} is not 'auto', 'rays', 'beams' or 'exact'")
     return engines[name]
+
+
+def _metric(name: str) -> _core.ErrorMetric:
+    metrics = {"rms": _core.ErrorMetric.rms, "max": _core.ErrorMetric.max}
+    if name not in metrics:
+        raise ValueError(f"error_metric: {name!r} is not 'rms' or 'max'")
+    return metrics[name]
 
 
 def _parts(full: bool | Iterable[str]) -> list[str]:
