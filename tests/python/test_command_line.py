@@ -92,6 +92,12 @@ def test_a_scene_at_fault_is_code_1_and_the_old_picture_stays(run, tmp_path, sce
     assert run("check", scene).returncode == 1
 
 
+def test_the_error_may_be_that_of_the_worst_pixel(run):
+    bounds = ("render", "box.spar", "-o", "max.exr", "--size", "16x16", "--error", "0.2")
+    assert run(*bounds, "--error-metric", "max").returncode == 0
+    assert run(*bounds, "--error-metric", "mean").returncode == 2
+
+
 def test_check_says_what_a_good_scene_holds(run):
     done = run("check", "box.spar")
     assert done.returncode == 0 and "1 gem" in done.stdout and done.stderr == ""

@@ -60,6 +60,14 @@ def test_the_report_says_what_was_done(calcite_box):
     assert report.seconds > 0 and report.bad_samples == 0 and not report.interrupted
 
 
+def test_a_picture_tells_the_error_of_each_pixel_and_may_be_made_to_the_largest(calcite_box):
+    assert calcite_box.render(size=(24, 16), spp=8, engine="rays", progress=False).standard_error is None
+    image = calcite_box.render(size=(24, 16), error=0.05, error_metric="max", engine="rays", progress=False)
+    assert image.standard_error.shape == (16, 24)
+    assert image.standard_error.max() / image.rgb.mean() == pytest.approx(image.report.error, rel=0.01)
+    assert image.report.error <= 0.05
+
+
 def test_files_are_chosen_by_their_ending(calcite_box, tmp_path):
     image = calcite_box.render(**SMALL)
     image.save(tmp_path / "a.exr")
@@ -145,6 +153,7 @@ def test_ctrl_c_raises_keyboard_interrupt(calcite_box):
         {"seed": -1},
         {"spectral": 401},
         {"spectral": -1},
+        {"error_metric": "mean"},
     ],
 )
 def test_an_argument_that_makes_no_sense_is_named(calcite_box, change):
