@@ -51,7 +51,7 @@ struct Group {
                  each([](const Medium& m) { return m.axis.z; })}};
     }
 
-    void store(const ResultColumn& column, const V& v) const {
+    [[gnu::always_inline]] void store(const ResultColumn& column, const V& v) const {
         if (!column.data) return;
         if (column.stride == 1 && full()) {
             v.copy_to(column.data + first, std::experimental::element_aligned);

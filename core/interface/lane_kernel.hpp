@@ -149,9 +149,10 @@ struct Kernel {
 
     /// A wave of a face that does not mix s and p.
     template <bool uniaxial>
-    void write_upright(const Group<V>& group, const MediumLanes<V>& medium, const Vector3<V>& kt,
-                       const Vector3<V>& normal, const V& square, const V& sign, std::size_t i,
-                       const WaveColumns& to) const {
+    [[gnu::always_inline]] void write_upright(const Group<V>& group, const MediumLanes<V>& medium,
+                                              const Vector3<V>& kt, const Vector3<V>& normal,
+                                              const V& square, const V& sign, std::size_t i,
+                                              const WaveColumns& to) const {
         const Mask<V> propagating = square > V(0);
         group.store(to.propagating, to.propagating_stride, propagating);
         const bool ray_wanted = wanted(to.ray) || to.n_ray.data;

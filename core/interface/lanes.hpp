@@ -26,8 +26,9 @@ V number(double x) {
     return V(static_cast<typename V::value_type>(x));
 }
 
+/// Always inline: a call would pass lanes through memory.
 template <class V>
-V select(const Mask<V>& condition, const V& yes, const V& no) {
+[[gnu::always_inline]] inline V select(const Mask<V>& condition, const V& yes, const V& no) {
     V out = no;
     where(condition, out) = yes;
     return out;
