@@ -8,7 +8,7 @@ import numpy as np
 import scenes
 from curves import Curve, error_of
 
-REFERENCE = {"isotropic": 512, "dispersive": 256, "uniaxial": 256, "grid": 2048}
+REFERENCE = {"isotropic": 512, "dispersive": 2048, "uniaxial": 256, "grid": 2048}
 FIRST = {"beams": 1, "rays": 4}
 
 
@@ -33,7 +33,7 @@ class Ours:
     def curve(self, name, engine):
         curve = Curve(name, f"icespar, {engine}")
         spp, seconds = FIRST[engine], 0.0
-        longest = 4 * self.longest if name == "dispersive" else self.longest
+        longest = 2 * self.longest if name == "dispersive" else self.longest
         while seconds < longest / 2:
             picture, seconds, _ = rendered(self.scenes[name], self.size, spp, spp, engine=engine)
             curve.rows.append((spp, seconds, error_of(picture, *self.reference(name))))

@@ -38,21 +38,18 @@ struct Fresnel {
     return out;
 }
 
-/// A response about another s. At normal incidence any s will do.
+/// A response about another s, of any length. At normal incidence any s will do.
 template <class Pair>
 [[nodiscard]] Pair on_face(const Pair& response, const Vec3& k, double n, const Vec3& normal,
                            Vec3& s) {
     constexpr double straight = 1e-24;
     const Vec3 across = cross(normal, k);
-    const double size2 = dot(across, across);
-    if (!(size2 > straight * n * n)) return response;
-    const Vec3 turned = across / std::sqrt(size2);
+    if (!(dot(across, across) > straight * n * n)) return response;
     // s may not lie quite across k, where k has turned since.
-    const double c = dot(turned, s), d = dot(turned, cross(k, s)) / n;
+    const double c = n * dot(across, s), d = dot(across, cross(k, s));
     const double whole = 1 / std::sqrt(c * c + d * d);
-    const Pair out = response.turned(whole * c, whole * d);
-    s = turned;
-    return out;
+    s = across;
+    return response.turned(whole * c, whole * d);
 }
 
 }  // namespace icespar

@@ -21,7 +21,7 @@ struct Leaf {
     Expansion position;   ///< on the facet, relative to the stone's centre
     Expansion k;          ///< unit wave vector in the air
     Vec3 fan;             ///< dk/dc over the colours c of a spectral tracer
-    Vec3 s;               ///< the response's s; its p is k x s
+    Vec3 s;               ///< along the response's s, of any length; its p is k x s
     typename Response::Pair response;
     int facet = 0, hits = 0;
 };
