@@ -132,8 +132,8 @@ int main(int argc, char** argv) {
     add_engine(
         render, arguments.options.engine,
         "rays: samples; beams: whole pixels through stones; exact: whole facets of one stone\n"
-        "in a parallel view (docs/method.md); auto: exact for an isotropic stone, else\n"
-        "beams where there is a stone (default)");
+        "in a parallel view (docs/method.md); auto: exact where it applies, else beams\n"
+        "where there is a stone (default)");
     render
         ->add_option("--error", arguments.options.error,
                      "Stop when the picture's estimated relative error is below E; calm parts of "

@@ -65,7 +65,7 @@ std::string plan_line(const RenderArguments& arguments, Engine engine) {
     if (o.error > 0) add(format("error %g", o.error));
     if (o.seconds > 0) add(format("%g s", o.seconds));
     if (engine == Engine::exact) {
-        if (bounds.empty()) add("a thousandth of the light is left");
+        if (bounds.empty()) add("error 0.004");
     } else if (o.samples > 0)
         add(std::to_string(o.samples) + (o.samples == 1 ? " sample a pixel" : " samples a pixel"));
     const unsigned threads =
@@ -83,7 +83,8 @@ std::string plan_line(const RenderArguments& arguments, Engine engine) {
 std::string report_line(const RenderReport& report) {
     if (report.engine == Engine::exact) {
         return format("done in %.2f s", report.seconds) + ", " + std::to_string(report.events) +
-               " exact beams" + format(", untraced light %.2g", report.dropped);
+               " exact beams" + format(", error %.2g", report.error) +
+               format(", sampled light %.2g", report.dropped);
     }
     const double rate = report.seconds > 0 ? 1e-6 * double(report.paths) / report.seconds : 0;
     std::string line = report.interrupted ? "interrupted after " : "done in ";

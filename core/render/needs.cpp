@@ -101,8 +101,8 @@ Needs needs_of(const Scene& scene, bool stokes, Engine engine, const Forced& for
                      forced.surroundings;
     n.obstacle = obstacle(scene, n.stones, forced);
     if (n.exact_obstacle.empty()) n.exact_obstacle = view_obstacle(scene);
-    const bool exact = engine == Engine::exact ||
-                       (engine == Engine::automatic && !n.birefringent && forced == Forced{});
+    const bool exact =
+        engine == Engine::exact || (engine == Engine::automatic && forced == Forced{});
     if (exact && n.exact_obstacle.empty()) {
         n.engine = Engine::exact;
     } else {

@@ -143,6 +143,8 @@ Rendering render(const Scene& scene, const RenderOptions& options,
         const double pixels = static_cast<double>(options.width) * options.height;
         report.paths = view.interrupted ? 0 : static_cast<std::uint64_t>(pixels);
         report.dropped = view.untraced * pixels;
+        report.absorbed = view.absorbed * pixels;
+        report.error = view.error;
     }
     int most = 0;  // samples a pixel of any tile
     std::vector<double> variances;

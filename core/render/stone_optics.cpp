@@ -37,6 +37,10 @@ StoneOptics::StoneOptics(const Crystal& c, double nm, bool general)
     }
 }
 
+Absorption StoneOptics::absorption() const {
+    return {loss_, fade_ ? (1 - fade_->colour(wavelength_nm_)) / fade_->distance : 0};
+}
+
 double StoneOptics::transmittance(const Vec3& k, const Vec3& ray, const Vec3& re, const Vec3& im,
                                   double length) const {
     // Poynting's theorem to first order: what Im eps takes over what flows, |E x H|, which is k .

@@ -3,6 +3,7 @@
 
 #include "crystal/medium.hpp"
 #include "scene/crystal.hpp"
+#include "views/view.hpp"
 
 namespace icespar {
 
@@ -16,6 +17,9 @@ public:
 
     [[nodiscard]] const Medium& medium() const { return medium_; }
     [[nodiscard]] double wavelength_nm() const { return wavelength_nm_; }
+
+    /// What it takes, where that is exponential in the length: not for fade_power below 1000.
+    [[nodiscard]] Absorption absorption() const;
 
     /// What is left of the power of a wave after a length along its unit `ray`. Its unit E is re +
     /// i im; an isotropic stone does not ask for it.

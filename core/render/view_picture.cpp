@@ -7,11 +7,13 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 #include "render/sampler.hpp"
 #include "render/sky_light.hpp"
 #include "render/stone_optics.hpp"
 #include "views/raster.hpp"
+#include "views/transmission.hpp"
 #include "views/view.hpp"
 
 namespace icespar {
@@ -20,6 +22,12 @@ namespace {
 constexpr int default_wavelengths = 64;
 /// Traced at once, whatever the number of threads, and added in order.
 constexpr int batch = 8;
+/// Relative error of a picture for which no bound is given.
+constexpr double default_error = 0.004;
+/// So many beams, followed exactly, wait in about a gigabyte; a batch shares it.
+constexpr std::uint64_t most_beams = 1'000'000;
+/// Less of the light than this need not be sampled to be a good picture.
+constexpr double default_bound = 1e-3;
 
 /// From the picture of a view, in the stone's units, to pixels from the top left.
 class PixelMap {
@@ -33,6 +41,13 @@ public:
         y_ = {dot(middle, v) + 0.5 * height, dot(frame.right, v), dot(frame.up, v)};
     }
     [[nodiscard]] Point2 of(const Point2& p) const { return {x_(p), y_(p)}; }
+    /// A number of the view's as one of pixels.
+    [[nodiscard]] Affine of(const Affine& f) const {
+        const double volume = x_.dx * y_.dy - x_.dy * y_.dx;
+        const double dx = (f.dx * y_.dy - f.dy * y_.dx) / volume,
+                     dy = (f.dy * x_.dx - f.dx * x_.dy) / volume;
+        return {f.value - dx * x_.value - dy * y_.value, dx, dy};
+    }
     /// Pixels per unit of area.
     [[nodiscard]] double scale() const { return std::abs(x_.dx * y_.dy - x_.dy * y_.dx); }
 
@@ -91,19 +106,11 @@ public:
         const Palette colours =
             parts == 1 ? palette_
                        : between(palette_, i * share, (i + 1) * share, wavelengths_, film_.bands());
-        ViewOptions options;
-        options.bound = options_.error > 0     ? 0.25 * options_.error
-                        : options_.seconds > 0 ? 1e-5
-                                               : 1e-3;
-        options.max_beams = 8'000'000;
-        options.seconds = options_.seconds * share;
-        options.max_hits = scene_.max_trace_level;
-        options.outlines = true;
-        options.weights = film_.components() == 4 ? Weights::stokes : Weights::intensity;
-        options.go_on = go_on;
         const Gem& gem = scene_.gems[0];
+        const ViewOptions options = how(parts, pixels_of(gem.stone), go_on);
         const StoneOptics optics(gem.crystal, sampler.wavelength_nm());
-        const Exits part = trace_view(gem.stone, optics.medium(), view_, options);
+        const Exits part =
+            trace_view(gem.stone, optics.medium(), view_, options, optics.absorption());
         const Exits exits = part.expanded();
         const PixelMap map(scene_.camera, film_.width(), film_.height(), exits.frame);
 
@@ -120,7 +127,9 @@ public:
         const Point2 corners[] = {{0, 0}, {right, 0}, {right, bottom}, {0, bottom}};
         raster.add(corners, background);
         Polygon polygon;
+        ViewPicture out;
         for (std::size_t e = 0; e < exits.size(); ++e) {
+            if (!(exits.weight[e].s0 > 0)) continue;
             light(exits.direction[e], exits.weight[e]);
             // What the stone's outside mirrors stands before the background.
             if (exits.hits[e] == 1) {
@@ -132,15 +141,71 @@ public:
             for (std::size_t c = exits.outline[e]; c < exits.outline[e + 1]; ++c) {
                 polygon.push_back(map.of(exits.corners[c]));
             }
-            raster.add(polygon, sampler.sample);
+            const double area = std::abs(extent(polygon).area);
+            if (exits.group[e] > 0) out.variance += squares(sampler.sample, area);
+            if (exits.depth.empty() || area < least_shaded) {
+                raster.add(polygon, sampler.sample);
+                continue;
+            }
+            const Affine depth = map.of(exits.depth[e]);
+            const double mean = mean_transmission(polygon, depth);
+            each_strip(polygon, depth, [&](PolygonView strip, const Affine& passed) {
+                raster.add(strip, sampler.sample,
+                           {passed.value / mean, passed.dx / mean, passed.dy / mean});
+            });
         }
-        ViewPicture out;
-        out.untraced = share * exits.untraced * map.scale() / (right * bottom);
+        const double per_pixel = share * map.scale() / (right * bottom);
+        out.untraced = per_pixel * exits.untraced;
+        out.absorbed = per_pixel * exits.absorbed;
         out.beams = exits.beams;
         return out;
     }
 
 private:
+    /// Pixels across which the transmission of a beam may vary.
+    static constexpr double least_shaded = 2;
+
+    /// A beam of the sample stands for others that lie about it as likely: by how much its light
+    /// adds to the squared errors of pixels of the size 1, on which it may lie anyhow.
+    [[nodiscard]] double squares(const std::vector<double>& sample, double area) const {
+        constexpr double shared = 1.25;
+        const auto step = static_cast<std::size_t>(film_.components());
+        const double light = xyz_from_rgb({sample[0], sample[step], sample[2 * step]})[1];
+        return light * light * area * area / (area + shared);
+    }
+
+    /// Pixels that the stone covers in the view.
+    [[nodiscard]] double pixels_of(const Stone& stone) const {
+        const Camera& c = scene_.camera;
+        double area = 0;
+        for (const Facet& f : stone.facets)
+            area += 0.5 * f.area * std::abs(dot(f.normal, view_.direction));
+        const double picture = std::abs(dot(view_.direction, cross(c.right, c.up)));
+        return area / picture * film_.width() * film_.height();
+    }
+
+    /// Of one of so many parts of the spectrum, whose errors are their own.
+    [[nodiscard]] ViewOptions how(int parts, double pixels,
+                                  const std::function<bool()>& go_on) const {
+        ViewOptions options;
+        // Survivors of the sample are spread over the pixels, and are about as large.
+        constexpr double spread = 0.7, least_error = 1e-9;
+        const double error = options_.error > 0 ? options_.error : default_error;
+        options.error = spread * error * std::sqrt(parts / std::max(1.0, pixels));
+        if (options_.error == 0 && options_.seconds > 0) options.error = least_error;
+        options.bound = {};
+        if (options_.error == 0 && options_.seconds == 0 && parts == 1)
+            options.bound = default_bound;
+        options.max_beams = parts > 1 ? most_beams / batch : most_beams;
+        constexpr double exact_part = 0.4;
+        options.seconds = exact_part * options_.seconds / parts;
+        options.max_hits = scene_.max_trace_level;
+        options.outlines = true;
+        options.weights = film_.components() == 4 ? Weights::stokes : Weights::intensity;
+        options.go_on = go_on;
+        return options;
+    }
+
     const Scene& scene_;
     const Palette& palette_;
     const WavelengthSampler& wavelengths_;
@@ -149,6 +214,12 @@ private:
     int values_;
     ParallelView view_;
 };
+
+/// Beer and Lambert's law, which never adds light.
+bool exponential(const Fade& fade) {
+    constexpr double law = 1000;
+    return fade.power >= law && fade.distance > 0 && fade.colour.greatest() <= 1;
+}
 
 }  // namespace
 
@@ -159,7 +230,8 @@ std::string view_obstacle(const Scene& scene) {
         return "the camera has a lens or an analyser";
     if (scene.gems.size() != 1 || !scene.things.empty())
         return "there is more than one stone alone";
-    if (scene.gems[0].crystal.absorbs()) return "the stone absorbs";
+    const auto& fade = scene.gems[0].crystal.fade;
+    if (fade && !exponential(*fade)) return "the stone's attenuation is not exponential";
     if (scene.gems[0].crystal.active()) return "the stone turns polarisation";
     if (sky.state != Stokes{1, 0, 0, 0} || sky.formulas.size() > 1) return "the sky is polarised";
     return {};
@@ -182,6 +254,8 @@ ViewPicture add_view(const Scene& scene, const Palette& palette,
     if (!scene.gems[0].crystal.dispersive()) {
         const ViewPicture all = painter.paint(0, 1, report, sum);
         out.untraced = all.untraced;
+        out.absorbed = all.absorbed;
+        out.variance = all.variance;
         out.beams = all.beams;
     } else {
         out.wavelengths = options.samples > 0 ? options.samples : default_wavelengths;
@@ -201,6 +275,8 @@ ViewPicture add_view(const Scene& scene, const Palette& palette,
                 const auto at = static_cast<std::size_t>(i);
                 sum.add(rasters[at]);
                 out.untraced += parts[at].untraced;
+                out.absorbed += parts[at].absorbed;
+                out.variance += parts[at].variance;
                 out.beams += parts[at].beams;
             }
             state.done = static_cast<double>(done + count) / out.wavelengths;
@@ -209,13 +285,18 @@ ViewPicture add_view(const Scene& scene, const Palette& palette,
     if (out.interrupted) return out;
     sum.finish();
     std::vector<double> sample;
+    double light = 0;
+    const auto step = static_cast<std::size_t>(film.components());
     for (int y = 0; y < film.height(); ++y) {
         for (int x = 0; x < film.width(); ++x) {
             const auto pixel = sum.pixel(x, y);
             sample.assign(pixel.begin(), pixel.end());
+            light += xyz_from_rgb({sample[0], sample[step], sample[2 * step]})[1];
             film.add(x, y, sample);
         }
     }
+    const double pixels = static_cast<double>(film.width()) * film.height();
+    if (light > 0) out.error = std::sqrt(out.variance * pixels) / light;
     return out;
 }
 

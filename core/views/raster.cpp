@@ -13,7 +13,9 @@ Raster::Raster(int width, int height, int values)
     sums_.assign(place(0, height), 0);
 }
 
-void Raster::add(PolygonView polygon, std::span<const double> values) {
+void Raster::add(PolygonView polygon, std::span<const double> values, const Affine& factor) {
+    factor_ = factor;
+    if (factor.dx != 0 && slopes_.empty()) slopes_.assign(sums_.size(), 0);
     const double sign = extent(polygon).area > 0 ? 1 : -1;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
         edge(polygon[i], polygon[i + 1 < polygon.size() ? i + 1 : 0], sign, values);
@@ -22,6 +24,9 @@ void Raster::add(PolygonView polygon, std::span<const double> values) {
 
 void Raster::add(const Raster& other) {
     for (std::size_t i = 0; i < sums_.size(); ++i) sums_[i] += other.sums_[i];
+    if (other.slopes_.empty()) return;
+    if (slopes_.empty()) slopes_.assign(sums_.size(), 0);
+    for (std::size_t i = 0; i < slopes_.size(); ++i) slopes_[i] += other.slopes_[i];
 }
 
 void Raster::finish() {
@@ -29,6 +34,13 @@ void Raster::finish() {
     for (int y = 0; y < height_; ++y) {
         const std::size_t end = place(width_, y);
         for (std::size_t i = place(0, y) + step; i < end; ++i) sums_[i] += sums_[i - step];
+        if (slopes_.empty()) continue;
+        for (std::size_t i = place(0, y) + step; i < end; ++i) slopes_[i] += slopes_[i - step];
+        for (int x = 0; x < width_; ++x) {
+            for (std::size_t i = place(x, y); i < place(x + 1, y); ++i) {
+                sums_[i] += (x + 0.5) * slopes_[i];
+            }
+        }
     }
 }
 

@@ -14,8 +14,9 @@ class Raster {
 public:
     Raster(int width, int height, int values);
 
-    /// Convex or not; whichever way it goes round.
-    void add(PolygonView polygon, std::span<const double> values);
+    /// Convex or not; whichever way it goes round. Values are multiplied by `factor`, taken at the
+    /// middle of each pixel.
+    void add(PolygonView polygon, std::span<const double> values, const Affine& factor = {1, 0, 0});
     void add(const Raster& other);
 
     /// Sums along the rows; nothing can be added afterwards.
@@ -34,12 +35,18 @@ private:
     void edge(Point2 from, Point2 to, double sign, std::span<const double> values);
     void part(const Point2& from, const Point2& to, double sign, std::span<const double> values);
     void put(int x, int y, double amount, std::span<const double> values) {
-        double* at = sums_.data() + place(x, y);
-        for (std::size_t i = 0; i < values.size(); ++i) at[i] += amount * values[i];
+        const std::size_t at = place(x, y);
+        const double level = amount * (factor_.value + factor_.dy * (y + 0.5));
+        for (std::size_t i = 0; i < values.size(); ++i) sums_[at + i] += level * values[i];
+        if (factor_.dx == 0) return;
+        const double slope = amount * factor_.dx;
+        for (std::size_t i = 0; i < values.size(); ++i) slopes_[at + i] += slope * values[i];
     }
 
     int width_, height_, values_;
-    std::vector<double> sums_;  ///< by how much a pixel's coverage exceeds its left neighbour's
+    std::vector<double> sums_;    ///< by how much a pixel's coverage exceeds its left neighbour's
+    std::vector<double> slopes_;  ///< the same of what grows with x; empty as long as nothing does
+    Affine factor_;
 };
 
 }  // namespace icespar

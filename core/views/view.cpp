@@ -101,6 +101,7 @@ Exits Exits::expanded() const {
             // Counter-clockwise, also in a mirror.
             if (image.mirrors()) std::reverse(out.corners.begin() + begin, out.corners.end());
             out.outline.push_back(out.corners.size());
+            if (!depth.empty()) out.depth.push_back(image.of(depth[i]));
         }
     }
     return out;

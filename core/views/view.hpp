@@ -77,6 +77,11 @@ struct PictureImage {
     [[nodiscard]] Point2 turned(const Point2& p) const { return p.x * right + p.y * up; }
     [[nodiscard]] Point2 of(const Point2& p) const { return centre + turned(p - centre); }
     [[nodiscard]] Vec3 of(const Vec3& direction, const PictureFrame& frame) const;
+    /// The number at the point that becomes p.
+    [[nodiscard]] Affine of(const Affine& number) const {
+        const Point2 slope = turned({number.dx, number.dy});
+        return {number(centre) - slope.x * centre.x - slope.y * centre.y, slope.x, slope.y};
+    }
     /// Of what the viewer sees, on picture axes.
     [[nodiscard]] Stokes of(const Stokes& s) const;
     [[nodiscard]] bool mirrors() const { return right.x * up.y - right.y * up.x < 0; }
@@ -103,6 +108,8 @@ struct Exits {
     /// In the picture, if they were asked for: beam i has corners outline[i] to outline[i + 1].
     std::vector<std::size_t> outline;
     Polygon corners;
+    /// Besides, if the stone absorbs: exp(-depth) is what it leaves of the beam, in each point.
+    std::vector<Affine> depth;
 
     /// By facet of the stone, for what enters there: its area in the picture, and weight times area
     /// of what was not followed exactly, and of what `max_hits` and `least_power` ended.

@@ -365,6 +365,7 @@ private:
         const Polygon& polygon = beam_.hits == 1 ? polygon_ : piece_;
         out_.corners.insert(out_.corners.end(), polygon.begin(), polygon.end());
         out_.outline.push_back(out_.corners.size());
+        if (absorbing_) out_.depth.push_back(beam_.depth);
     }
 
     void give_up(int entry, double weight) {

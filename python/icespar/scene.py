@@ -122,8 +122,8 @@ class Scene:
         make the same bits for any number of `threads` (0: all).
         `stokes` keeps the polarisation, `spectral` that many bands of the spectrum.
         `engine` "rays" samples, "beams" follows whole pixels through stones, "exact" whole facets of one stone that
-        an orthographic camera sees below a sky alone (no noise; `spp` counts wavelengths of a dispersive stone); "auto"
-        takes the last of them that applies, "exact" for isotropic stones. All make the same picture within their noise.
+        an orthographic camera sees below a sky alone (next to no noise; `spp` counts wavelengths of a dispersive or coloured stone);
+        "auto" takes the last of them that applies. All make the same picture within their noise.
         `full` computes what the scene does not need, too (see `plan`): True all of it, or some of "wavelengths", "stokes",
         "general" (any crystal's solver), "absorption", "tree" (Embree) and "surroundings" (a plain sky asked ray by ray).
         `progress` True draws a bar on a terminal or in a notebook; a function is called with a Progress

@@ -21,6 +21,26 @@ TEST_CASE("what passes through a wedge is the mean over its thickness", "[views]
     }
 }
 
+TEST_CASE("strips of a wedge follow the exponential and share its mean", "[views]") {
+    const Polygon wedge{{0, 0}, {2, 0.3}, {1.7, 1.2}, {0.1, 0.8}};
+    for (const Affine& depth :
+         {Affine{0.2, 0, 0}, Affine{0.2, 1e-3, 0}, Affine{0.1, 0.4, -0.1}, Affine{0.5, -0.2, 3}}) {
+        double sum = 0, area = 0, worst = 0;
+        each_strip(wedge, depth, [&](PolygonView strip, const Affine& passed) {
+            const Extent e = extent(strip);
+            sum += e.area * passed(e.centroid);
+            area += e.area;
+            for (const Point2& p : strip) {
+                worst = std::max(worst, std::abs(passed(p) * std::exp(depth(p)) - 1));
+            }
+        });
+        const double whole = extent(wedge).area;
+        CHECK(std::abs(area - whole) < 1e-12);
+        CHECK(std::abs(sum / whole - mean_transmission(wedge, depth)) < 1e-12);
+        CHECK(worst < (depth.dx == 1e-3 ? 0.01 : 4e-3));
+    }
+}
+
 TEST_CASE("a plate that absorbs transmits and reflects as the sum over its echoes", "[views]") {
     // Along the axis of a uniaxial plate both waves see the ordinary index and absorption.
     constexpr double n = 1.6, alpha = 0.3, thickness = 2;

@@ -82,3 +82,21 @@ TEST_CASE("polygons that fill the picture cover every pixel once", "[views][rast
         for (int x = 0; x < width; ++x) CHECK(std::abs(covered(raster, x, y) - 1) < 1e-12);
     }
 }
+
+TEST_CASE("a factor that varies linearly is taken at each pixel's middle", "[views][raster]") {
+    const Polygon polygon{{0.5, 0.3}, {8.2, 1.1}, {6.4, 6.6}, {2.3, 5.2}};
+    const Affine factor{2, 0.3, -0.2};
+    Raster raster(width, height, 1), other(width, height, 1);
+    const double values[] = {3};
+    other.add(polygon, values, factor);
+    raster.add(other);
+    raster.add({polygon.begin(), 3}, values);
+    raster.finish();
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            const double shaded = part_of(polygon, x, y) * factor({x + 0.5, y + 0.5});
+            const double plain = part_of({polygon.begin(), polygon.begin() + 3}, x, y);
+            CHECK(std::abs(covered(raster, x, y) - 3 * (shaded + plain)) < 1e-12);
+        }
+    }
+}
