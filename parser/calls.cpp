@@ -14,7 +14,7 @@
 namespace icespar {
 namespace {
 
-/// A point taken through a transform, or back.
+/// A point taken through a transform, or back; empty when the transform was told to be at fault.
 Value transformed(const Arguments& a, bool back) {
     a.count(2, 2);
     const auto v = a.vector(0);
@@ -24,6 +24,8 @@ Value transformed(const Arguments& a, bool back) {
         const Transform t = transform_of(**block);
         const Vec3 p = (back ? t.inverse() : t).point({v[0], v[1], v[2]});
         return Numbers{{p.x, p.y, p.z}, 3, false};
+    } catch (const Poisoned&) {
+        return {};
     } catch (const Error& error) {
         throw Fault{a.places[1], error.what(), {}};
     }
@@ -192,7 +194,8 @@ Value Parser::function_call(std::string_view name, const Token& token) {
         return found.path || library_file(a.text(0)) ? 1.0 : 0.0;
     }
     if (name == "vtransform" || name == "vinv_transform") {
-        return checked(*transformed(a, name[1] == 'i').numbers(), a.whole);
+        const Value moved = transformed(a, name[1] == 'i');
+        return moved.empty() ? moved : checked(*moved.numbers(), a.whole);
     }
     throw Fault{start, "'" + std::string(name) + "' is not a function here", {}};
 }
