@@ -104,7 +104,7 @@ int render_picture(const RenderArguments& arguments, const LoadOptions& load,
     const ReadScene read = read_scene(arguments.scene, load, messages, &told);
     if (!read.scene) return exit_fault;
     const RenderOptions& o = arguments.options;
-    const Needs needs = needs_of(*read.scene, o.stokes, o.engine, o.forced);
+    const Needs needs = needs_of(*read.scene, o);
     messages << plan_line(arguments, needs.engine) << "\nby " << plan_summary(needs) << std::endl;
     Rendering rendering;
     {

@@ -69,6 +69,15 @@ int next_beam_pass(const RenderOptions& o, int done, int wanted, double error, b
 
 }  // namespace
 
+Needs needs_of(const Scene& scene, const RenderOptions& o) {
+    Needs n = needs_of(scene, o.stokes, o.engine, o.forced);
+    if (n.engine == Engine::exact && o.error > 0 && o.metric == ErrorMetric::largest) {
+        n.exact_obstacle = "they tell the root mean square of the pixels' errors alone";
+        n.engine = n.obstacle.empty() ? Engine::beams : Engine::rays;
+    }
+    return n;
+}
+
 Rendering render(const Scene& scene, const RenderOptions& options,
                  const ProgressCallback& progress) {
     check(scene, options);
@@ -80,7 +89,7 @@ Rendering render(const Scene& scene, const RenderOptions& options,
                             ? default_samples
                             : options.samples;
 
-    const Needs needs = needs_of(scene, options.stokes, options.engine, options.forced);
+    const Needs needs = needs_of(scene, options);
     if (options.engine == Engine::beams && !needs.obstacle.empty()) {
         throw Error("beams cannot make this picture: " + needs.obstacle +
                     "; choose the engine rays");

@@ -57,6 +57,9 @@ struct Rendering {
     RenderReport report;
 };
 
+/// What `render` uses of the renderer with these options.
+[[nodiscard]] Needs needs_of(const Scene& scene, const RenderOptions& options);
+
 /// Throws Error when the options make no sense (size not in 1 .. 65536 a side, or negative numbers)
 /// or the scene has faults.
 [[nodiscard]] Rendering render(const Scene& scene, const RenderOptions& options,

@@ -129,7 +129,6 @@ public:
         Polygon polygon;
         ViewPicture out;
         for (std::size_t e = 0; e < exits.size(); ++e) {
-            if (!(exits.weight[e].s0 > 0)) continue;
             light(exits.direction[e], exits.weight[e]);
             // What the stone's outside mirrors stands before the background.
             if (exits.hits[e] == 1) {
