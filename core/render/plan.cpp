@@ -121,8 +121,9 @@ PlanLine lights(const Scene& scene) {
 
 PlanLine engine(const Needs& n) {
     if (n.engine == Engine::exact) {
-        return {"engine", "exact beams",
-                "one stone in a parallel view: whole facets are followed, without samples"};
+        return {
+            "engine", "exact beams",
+            "one stone in a parallel view: whole facets are followed, the faint rest is sampled"};
     }
     if (n.engine == Engine::beams) {
         std::size_t by_rays = 0;
