@@ -84,7 +84,7 @@ std::string report_line(const RenderReport& report) {
     if (report.engine == Engine::exact) {
         return format("done in %.2f s", report.seconds) + ", " + std::to_string(report.events) +
                " exact beams" + format(", error %.2g", report.error) +
-               format(", sampled light %.2g", report.dropped);
+               format(", dropped energy %.2g", report.dropped);
     }
     const double rate = report.seconds > 0 ? 1e-6 * double(report.paths) / report.seconds : 0;
     std::string line = report.interrupted ? "interrupted after " : "done in ";

@@ -151,7 +151,7 @@ Rendering render(const Scene& scene, const RenderOptions& options,
         report.samples = view.interrupted ? 0 : view.wavelengths;
         const double pixels = static_cast<double>(options.width) * options.height;
         report.paths = view.interrupted ? 0 : static_cast<std::uint64_t>(pixels);
-        report.dropped = view.untraced * pixels;
+        report.dropped = view.dropped * pixels;
         report.absorbed = view.absorbed * pixels;
         report.error = view.error;
     }

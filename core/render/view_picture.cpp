@@ -154,7 +154,7 @@ public:
             });
         }
         const double per_pixel = share * map.scale() / (right * bottom);
-        out.untraced = per_pixel * exits.untraced;
+        out.dropped = per_pixel * (exits.residue + exits.cut);
         out.absorbed = per_pixel * exits.absorbed;
         out.beams = exits.beams;
         return out;
@@ -252,7 +252,7 @@ ViewPicture add_view(const Scene& scene, const Palette& palette,
     Raster sum = painter.raster();
     if (!scene.gems[0].crystal.dispersive()) {
         const ViewPicture all = painter.paint(0, 1, report, sum);
-        out.untraced = all.untraced;
+        out.dropped = all.dropped;
         out.absorbed = all.absorbed;
         out.variance = all.variance;
         out.beams = all.beams;
@@ -273,7 +273,7 @@ ViewPicture add_view(const Scene& scene, const Palette& palette,
             for (int i = 0; i < count; ++i) {
                 const auto at = static_cast<std::size_t>(i);
                 sum.add(rasters[at]);
-                out.untraced += parts[at].untraced;
+                out.dropped += parts[at].dropped;
                 out.absorbed += parts[at].absorbed;
                 out.variance += parts[at].variance;
                 out.beams += parts[at].beams;

@@ -12,7 +12,7 @@ namespace icespar {
 [[nodiscard]] std::string view_obstacle(const Scene& scene);
 
 struct ViewPicture {
-    double untraced = 0;      ///< mean light per pixel that was not followed exactly
+    double dropped = 0;       ///< mean light per pixel that was neither followed nor sampled
     double absorbed = 0;      ///< mean light per pixel that the stone kept
     double variance = 0;      ///< of the sample of the rest, summed over the pixels' luminance
     double error = 0;         ///< by that the relative RMS error of the picture
