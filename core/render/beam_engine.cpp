@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <variant>
 
 #include "beams/footprint.hpp"
@@ -108,9 +109,11 @@ public:
           width_(width),
           height_(height),
           walker_(world, palette, needs, false),
-          sky_(world.scene().environment),
-          spectrum_(world.scene().environment, palette, wavelengths, bands,
-                    Response::stokes ? 4 : 1) {
+          sky_(world.scene().environment) {
+        if (needs.wavelengths && !needs.surroundings) {
+            spectrum_.emplace(world.scene().environment, palette, wavelengths, bands,
+                              Response::stokes ? 4 : 1);
+        }
         const auto add = [&](const Emitter& e) { lights_.push_back(xyz_from_rgb(e.rgb)[1]); };
         add(palette.below);
         add(palette.above);
@@ -189,7 +192,7 @@ public:
     void close(int hits) { roulette_.saw(hits, sky_.luminance(lights_) - opened_); }
     void see(const Leaf<Response>& leaf) {
         if (spectral_) {
-            spectrum_.add(leaf.k, leaf.fan, leaf.polygon, leaf.area, leaf.response.unpolarised());
+            spectrum_->add(leaf.k, leaf.fan, leaf.polygon, leaf.area, leaf.response.unpolarised());
             return;
         }
         if (!needs_.surroundings) {
@@ -210,7 +213,7 @@ private:
     void follow_spectrum(const Crystal& crystal, std::uint64_t seed) {
         spectral_ = true;
         const int pieces = std::max(1, static_cast<int>(std::lround(0.25 * std::sqrt(samples_))));
-        const int cells = spectrum_.cells();
+        const int cells = spectrum_->cells();
         const double shift = sampler_->uniform() - 0.5;
         int first = 0;
         for (int i = 0; i < pieces; ++i) {
@@ -220,10 +223,10 @@ private:
             share_ = static_cast<double>(last - first) / cells;
             roulette_.begin(mixed(seed + static_cast<unsigned>(i)),
                             std::min(1.0, threshold_ / (pieces * share_)));
-            trace_stone(crystal, spectrum_.begin(first, last));
+            trace_stone(crystal, spectrum_->begin(first, last));
             first = last;
         }
-        spectrum_.flush(*sampler_);
+        spectrum_->flush(*sampler_);
         spectral_ = false;
     }
 
@@ -311,8 +314,8 @@ private:
     int width_, height_;
     Walker<Sampler> walker_;
     SkySum sky_;
-    SkySpectrum spectrum_;
-    std::vector<double> lights_;  ///< luminances
+    std::optional<SkySpectrum> spectrum_;  ///< below a sky, where stones disperse
+    std::vector<double> lights_;           ///< luminances
     double opened_ = 0;
     std::vector<std::variant<Isotropic, Uniaxial, SpectralIsotropic, SpectralUniaxial>> tracers_;
     Roulette roulette_;

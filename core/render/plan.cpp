@@ -1,7 +1,6 @@
 // The choice of kernels in words.
 #include <algorithm>
 
-#include "render/bright_sky.hpp"
 #include "render/needs.hpp"
 
 namespace icespar {
@@ -109,7 +108,9 @@ PlanLine surroundings(const Scene& scene, const Needs& n) {
 
 PlanLine lights(const Scene& scene) {
     if (scene.lights.empty()) {
-        const bool bright = scatters(scene) && !BrightSky(scene.environment).empty();
+        const Environment& sky = scene.environment;
+        const bool bright =
+            scatters(scene) && (!sky.discs.empty() || sky.pattern || !sky.formulas.empty());
         return {"lights", "none",
                 bright ? "diffuse surfaces look for lamps and bright parts of the sky"
                        : "the environment and what glows"};
