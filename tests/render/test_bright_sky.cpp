@@ -1,8 +1,8 @@
 // Directions drawn towards lamps and bright parts of the sky, and what they do for a diffuse floor.
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <memory>
 #include <numbers>
+#include <vector>
 
 #include "render/bright_sky.hpp"
 #include "support/lit_floor.hpp"
@@ -20,24 +20,12 @@ Disc lamp(const Vec3& direction, double radius_degrees, double radiance) {
     return {normalised(direction), std::cos(radius_degrees * degree), Spectrum(radiance)};
 }
 
-/// A dark panorama with one bright pixel high in front.
+/// A dark panorama with one bright pixel.
 Environment one_bright_pixel(int width, int height, int x, int y, float value) {
-    auto picture = std::make_shared<Picture>();
-    picture->width = width;
-    picture->height = height;
-    picture->rgb.assign(static_cast<std::size_t>(3 * width * height), 0.01f);
-    for (int c = 0; c < 3; ++c) {
-        picture->rgb[static_cast<std::size_t>(3 * (y * width + x) + c)] = value;
-    }
+    std::vector<float> grey(static_cast<std::size_t>(width * height), 0.01f);
+    grey[static_cast<std::size_t>(y * width + x)] = value;
     Environment sky;
-    Pigment pigment;
-    pigment.kind = Pigment::Kind::picture;
-    pigment.projection = Pigment::Projection::panorama;
-    pigment.smooth = true;
-    pigment.picture = picture;
-    pigment.colours = {reflectance_from_rgb({1, 0, 0}), reflectance_from_rgb({0, 1, 0}),
-                       reflectance_from_rgb({0, 0, 1})};
-    sky.pattern = pigment;
+    sky.pattern = panorama(width, height, grey);
     return sky;
 }
 

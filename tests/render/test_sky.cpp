@@ -1,7 +1,6 @@
 // Surroundings that differ from direction to direction: panoramas, colour maps and functions.
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <memory>
 
 #include "support/lit_floor.hpp"
 
@@ -15,22 +14,6 @@ namespace {
 /// Looks from the origin; `d` in the scene's own left-handed coordinates.
 Stokes towards(const Scene& scene, const Vec3& d, const Vec3& right) {
     return trace_one(scene, {{}, {d.x, d.y, -d.z}, {right.x, right.y, -right.z}});
-}
-
-Pigment panorama(int width, int height, std::vector<float> grey) {
-    auto picture = std::make_shared<Picture>();
-    picture->width = width;
-    picture->height = height;
-    for (const float v : grey) picture->rgb.insert(picture->rgb.end(), {v, v, v});
-    Pigment p;
-    p.kind = Pigment::Kind::picture;
-    p.projection = Pigment::Projection::panorama;
-    p.smooth = true;
-    p.picture = picture;
-    p.colours = {reflectance_from_rgb({1, 0, 0}), reflectance_from_rgb({0, 1, 0}),
-                 reflectance_from_rgb({0, 0, 1})};
-    p.to_pattern = Transform::scaling({1, 1, -1});
-    return p;
 }
 
 Vec3 at(double longitude, double latitude) {

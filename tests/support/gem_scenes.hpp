@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <span>
 #include <string>
@@ -88,6 +89,23 @@ inline Environment slope(const Vec3& up) {
     e.above = Spectrum(1.0);
     e.up = up;
     return e;
+}
+
+/// A panorama of a scene, seen from inside: one number a pixel, rows from the top.
+inline Pigment panorama(int width, int height, const std::vector<float>& grey) {
+    auto picture = std::make_shared<Picture>();
+    picture->width = width;
+    picture->height = height;
+    for (const float v : grey) picture->rgb.insert(picture->rgb.end(), {v, v, v});
+    Pigment p;
+    p.kind = Pigment::Kind::picture;
+    p.projection = Pigment::Projection::panorama;
+    p.smooth = true;
+    p.picture = picture;
+    p.colours = {reflectance_from_rgb({1, 0, 0}), reflectance_from_rgb({0, 1, 0}),
+                 reflectance_from_rgb({0, 0, 1})};
+    p.to_pattern = Transform::scaling({1, 1, -1});
+    return p;
 }
 
 /// Radiance 0 everywhere.
