@@ -81,12 +81,21 @@ void row(int runs, const char* what, const Medium& from, const Medium& to, Mode 
         for (std::size_t i = 0; i < count; ++i) {
             const Interface face(from, to, all[i].normal, waves[i]);
             sink += face.solve(waves[i]).transmitted_power[0];
+            for (const bool transmitted : {false, true}) {
+                for (const std::size_t m : {0, 1}) sink += face.ray(transmitted, m).x;
+            }
+        }
+    });
+    const double scalar_all = nanoseconds(runs, [&] {
+        for (std::size_t i = 0; i < count; ++i) {
+            const Interface face(from, to, all[i].normal, waves[i]);
+            sink += face.solve(waves[i]).transmitted_power[0];
             const OutgoingWaves out = face.waves();
             sink += out.reflected[0].ray.x + out.reflected[1].ray.x + out.transmitted[0].ray.x +
                     out.transmitted[1].ray.x;
         }
     });
-    std::printf("%-34s %8.1f %8.1f", what, scalar_powers, scalar_rays);
+    std::printf("%-34s %8.1f %8.1f %8.1f", what, scalar_powers, scalar_rays, scalar_all);
     BatchArrays arrays(all);
     arrays.faces.from = {&from, 0};
     arrays.faces.to = {&to, 0};
@@ -140,10 +149,10 @@ int main(int argc, char** argv) {
     const Medium calcite = Medium::uniaxial(1.6584, 1.4864, oblique);
     std::printf(
         "%s\nns a face on one core, median of %d runs; batches of %zu faces\n"
-        "%-34s %17s %35s %35s\n%-34s %8s %8s %8s %8s %8s %8s %8s %8s %8s %8s\n",
+        "%-34s %26s %35s %35s\n%-34s %8s %8s %8s %8s %8s %8s %8s %8s %8s %8s %8s\n",
         processor().c_str(), runs, count, "", "Interface", "baseline (AVX2) batch", "AVX-512 batch",
-        "", "powers", "all", "powers", "+ rays", "all", "+ rays f", "powers", "+ rays", "all",
-        "+ rays f");
+        "", "powers", "+ rays", "all", "powers", "+ rays", "all", "+ rays f", "powers", "+ rays",
+        "all", "+ rays f");
     row(runs, "air to glass", air, glass, Mode::p, 0.1);
     row(runs, "glass to air, total reflection", glass, air, Mode::p, 0.1);
     row(runs, "air to calcite", air, calcite, Mode::s, 0.1);
