@@ -151,7 +151,6 @@ TEST_CASE("a batch of faces gives what each face gives alone", "[interface][batc
 TEST_CASE("a batch of biaxial faces gives what each face gives alone", "[interface][batch]") {
     Random random(65);
     double worst = 0;
-    int solved = 0, exact = 0;
     std::string where;
     for (const GeneralStress stress :
          {GeneralStress::into_biaxial, GeneralStress::out_of_biaxial,
@@ -161,6 +160,7 @@ TEST_CASE("a batch of biaxial faces gives what each face gives alone", "[interfa
           GeneralStress::optic_axis_incident, GeneralStress::principal_plane,
           GeneralStress::weak_biaxiality, GeneralStress::no_biaxiality,
           GeneralStress::strong_biaxiality, GeneralStress::same_medium}) {
+        int solved = 0, exact = 0;
         std::array<std::vector<InterfaceCase>, 6> of_mode;
         std::array<std::vector<std::string>, 6> texts;
         for (int i = 0; i < 120; ++i) {
@@ -182,18 +182,24 @@ TEST_CASE("a batch of biaxial faces gives what each face gives alone", "[interfa
                     const double error = difference(in_phase(in_batch(batch, i), right), right);
                     double excess = error / 1e-12;
                     if (!(excess <= 1)) excess /= 1 + 50 * conditioning(cases[i]) / 1e-12;
-                    solved += stress == GeneralStress::into_biaxial;
-                    exact += stress == GeneralStress::into_biaxial && error == 0;
+                    ++solved;
+                    exact += error == 0;
                     if (excess <= worst) continue;
                     worst = excess;
                     where = std::string(name(stress)) + ": " + texts[mode][i];
                 }
             }
         }
+        const bool delicate = stress == GeneralStress::grazing ||
+                              stress == GeneralStress::near_critical_inside ||
+                              stress == GeneralStress::optic_axis_refracted ||
+                              stress == GeneralStress::optic_axis_incident;
+        if (delicate) continue;
+        INFO(name(stress) << ": " << exact << " of " << solved << " by Interface");
+        CHECK(2 * exact < solved);  // lanes did it
     }
     INFO(where);
     CHECK(worst <= 1);
-    CHECK(2 * exact < solved);  // lanes did it, not Interface
 }
 
 TEST_CASE("a batch in single precision gives what its inputs allow", "[interface][batch]") {
