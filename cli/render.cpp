@@ -81,18 +81,17 @@ std::string plan_line(const RenderArguments& arguments, Engine engine) {
 }
 
 std::string report_line(const RenderReport& report) {
-    if (report.engine == Engine::exact) {
-        return format("done in %.2f s", report.seconds) + ", " + std::to_string(report.events) +
-               " exact beams" + format(", error %.2g", report.error) +
-               format(", dropped energy %.2g", report.dropped);
-    }
-    const double rate = report.seconds > 0 ? 1e-6 * double(report.paths) / report.seconds : 0;
     std::string line = report.interrupted ? "interrupted after " : "done in ";
-    line += format("%.2f s", report.seconds) + format(", %.3g Mpath/s", rate) + ", " +
-            std::to_string(report.samples) + (report.samples == 1 ? " sample" : " samples") +
-            " a pixel";
+    line += format("%.2f s, ", report.seconds);
+    if (report.engine == Engine::exact) {
+        line += std::to_string(report.events) + " exact beams";
+    } else {
+        const double rate = report.seconds > 0 ? 1e-6 * double(report.paths) / report.seconds : 0;
+        line += format("%.3g Mpath/s, ", rate) + std::to_string(report.samples) +
+                (report.samples == 1 ? " sample" : " samples") + " a pixel, by " +
+                (report.engine == Engine::beams ? "beams" : "rays");
+    }
     if (report.error > 0) line += format(", error %.2g", report.error);
-    line += report.engine == Engine::beams ? ", by beams" : ", by rays";
     if (report.absorbed > 0) line += format(", absorbed energy %.2g", report.absorbed);
     return line + format(", dropped energy %.2g", report.dropped) + ", " +
            std::to_string(report.bad_samples) + " bad samples";
