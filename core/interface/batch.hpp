@@ -85,9 +85,9 @@ enum class Lanes { scalar, baseline, avx512 };
 /// isotropic media, are solved several at once and agree with Interface to rounding, but for the
 /// phase of a biaxial crystal's outgoing E (and of the amplitude that goes with it), which is free.
 /// All others, biaxial crystals by ray, and whatever is delicate (waves about to merge, biaxial
-/// crystals' waves near grazing or near an optic axis) are solved by Interface itself. Throws
-/// Error, naming the face as direction[i], where there is no such wave or it does not carry energy
-/// towards the face; results are then incomplete.
+/// crystals' waves that are evanescent, near grazing or near an optic axis) are solved by Interface
+/// itself. Throws Error, naming the face as direction[i], where there is no such wave or it does
+/// not carry energy towards the face; results are then incomplete.
 void solve_batch(const FaceBatch& faces, const BatchResult& wanted, std::size_t begin,
                  std::size_t end, Lanes width = widest_lanes());
 
