@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from ._core import Medium
 from .gem import Gem, tilted
+from .moved import moved
 from .optics import interface
 from .views import View, view
 
@@ -21,6 +22,7 @@ LAMP = 2.0  #: side of a patch of sky that counts as one lamp, for fire, degrees
 PATCH = 10.0  #: and for scintillation
 NUDGE = 2.0  #: tilt between the two views of scintillation, degrees
 BEAMS = 500_000  #: after so many a view that is to be traced to a bound ends, and states what is left
+CHANGING = 150_000  #: the same of each view for fire and scintillation, whose rest tells enough
 TILTED = 5.0  #: so much larger is the error that is asked of tilted views
 F_LINE, C_LINE, D_LINE = 486.1, 656.3, 589.3  #: nm
 
@@ -86,17 +88,16 @@ def numbers(seen: View, towards: NDArray[np.float64] | tuple[float, ...] = (0, 0
     height = seen.direction @ np.asarray(towards, dtype=float)
 
     def part(lit: NDArray[np.bool_]) -> Number:
-        return Number(*(100 * x for x in seen.light_return(lambda _: lit)))
+        return _percent(seen.light_return(lambda _: lit))
 
     head, scope = math.cos(math.radians(HEAD)), math.cos(math.radians(SCOPE_HEAD))
     half, above = math.sin(math.pi / 4), height > 0
     out: Numbers = {}
     for dome in ("iso", "cosine", "sc2"):
-        out[dome] = Number(*(100 * x for x in seen.light_return(dome, head_shadow=HEAD, zenith=towards)))
+        out[dome] = _percent(seen.light_return(dome, head_shadow=HEAD, zenith=towards))
     if np.any(seen.stone.normals[:, 2] > 1 - 1e-9):
         for dome in ("iso", "cosine", "sc2"):
-            returned = seen.light_return(dome, head_shadow=HEAD, zenith=towards, table=True)
-            out[f"table_{dome}"] = Number(*(100 * x for x in returned))
+            out[f"table_{dome}"] = _percent(seen.light_return(dome, head_shadow=HEAD, zenith=towards, table=True))
     out["leakage"] = part(~above)
     out["window"] = part(~above & (seen.hits == 2))
     out["extinction"] = part(height > head)
@@ -108,57 +109,29 @@ def numbers(seen: View, towards: NDArray[np.float64] | tuple[float, ...] = (0, 0
     return out
 
 
-def moved(a: View, b: View, towards_a, towards_b, side: float) -> Number:
-    """The part of the light from above that comes by another facet or from another patch of sky in `b` than in `a`.
-
-    In percent. Patches are squares of `side` degrees on the equal-area map of the sky as the viewer has it; the number
-    is the mean over 16 places of their grid. Light from the observer's head is left out, and so is what was sampled:
-    chance, too, would move it.
-    """
-    sides = [_on_sky(v, toward) for v, toward in ((a, towards_a), (b, towards_b))]
-    step = math.radians(side)
-    found = []
-    for shift in np.ndindex(4, 4):
-        cells = [np.floor(place / step + np.array(shift) / 4).astype(np.int64) for place, _, _ in sides]
-        keys = [(c[:, 0] * 4096 + c[:, 1]) * 4096 + entry for c, (_, entry, _) in zip(cells, sides, strict=True)]
-        _, where = np.unique(np.concatenate(keys), return_inverse=True)
-        light = np.concatenate([sides[0][2], -sides[1][2]])
-        found.append(np.abs(np.bincount(where, light)).sum() / max(np.abs(light).sum(), 1e-300))
-    total = sides[0][2].sum() + sides[1][2].sum()
-    bound = 100 * min(1.0, (a.untraced + b.untraced) / max(float(total), 1e-300))
-    return Number(100 * float(np.mean(found)), bound, bound)
-
-
-def _on_sky(seen: View, frame: NDArray[np.float64]):
-    """Places on the sky's equal-area map, facets of entry, and light, of what comes from above beside the head."""
-    d = seen.direction @ np.asarray(frame, dtype=float).T
-    keep = (d[:, 2] > 0) & (d[:, 2] < math.cos(math.radians(HEAD))) & (seen.group == 0)
-    d = d[keep]
-    return (
-        d[:, :2] * np.sqrt(2 / (1 + d[:, 2:])),
-        seen.entry[keep],
-        (seen.weight * seen.area)[keep] / seen.area_total,
-    )
-
-
 def _frame(tilt: tuple[float, float]) -> NDArray[np.float64]:
     """The viewer's right, up and towards, in the frame of the stone."""
     return tilted(np.eye(3), tilt)
 
 
-def fire(gem: Gem, bound: float = 1e-3) -> Number:
-    """MEANING["fire"], face-up."""
-    blue, red = (trace(gem, (0.0, 0.0), gem.medium(nm), bound, None) for nm in (F_LINE, C_LINE))
-    return moved(blue, red, np.eye(3), np.eye(3), LAMP)
+def fire(gem: Gem, tilt: tuple[float, float] = (0.0, 0.0), bound: float = 3e-3, error: float | None = 3e-5) -> Number:
+    """MEANING["fire"]; the others are those of `trace`, for each of two views."""
+    blue, red = (trace(gem, tilt, gem.medium(nm), bound, error, CHANGING) for nm in (F_LINE, C_LINE))
+    return _percent(moved(blue, red, _frame(tilt), _frame(tilt), LAMP, HEAD))
 
 
-def scintillation(gem: Gem, still: View, bound: float = 1e-3) -> Number:
-    """MEANING["scintillation"]; `still` is the view face-up."""
-    found = [
-        moved(still, trace(gem, tilt, still.medium, bound, None), np.eye(3), _frame(tilt), PATCH)
-        for tilt in ((NUDGE, 0.0), (0.0, NUDGE))
-    ]
-    return Number(*np.mean(found, axis=0).tolist())
+def scintillation(
+    gem: Gem, tilt: tuple[float, float] = (0.0, 0.0), bound: float = 4e-3, error: float | None = 1e-4
+) -> Number:
+    """MEANING["scintillation"]; the others are those of `trace`, for each of three views."""
+    ways = tilt, (tilt[0] + NUDGE, tilt[1]), (tilt[0], tilt[1] + NUDGE)
+    still, *nudged = ((trace(gem, way, None, bound, error, CHANGING), _frame(way)) for way in ways)
+    found = [moved(still[0], seen, still[1], frame, PATCH, HEAD) for seen, frame in nudged]
+    return _percent(np.mean(found, axis=0).tolist())
+
+
+def _percent(number: Iterable[float]) -> Number:
+    return Number(*(100 * x for x in number))
 
 
 @dataclass(frozen=True)
@@ -226,19 +199,14 @@ def analyse(
     progress: Callable[[float], None] | None = None,
 ) -> Analysis:
     """Traces the gem face-up, until no more than `bound` of all light is left or many beams were followed, and samples the
-    rest to the standard error `error`; fire and scintillation end with 5 `bound`. At each tilt about both axes numbers have an
-    error of 5 `error`, whatever their bound.
+    rest to the standard error `error`; the views of fire and scintillation end with 3 and 4 `bound`, or earlier, and are sampled as well.
+    At each tilt about both axes numbers have an error of 5 `error`, whatever their bound.
 
     Stones are clear: colours belong to pictures, numbers to the cut.
     """
     tilts = [float(t) for t in tilts]
     plain = gem.isotropic(D_LINE) if gem.birefringent else None
-    still = trace(gem, bound=bound, error=error)
-    face_up = numbers(still)
-    without = None if plain is None else numbers(trace(gem, medium=plain, bound=bound, error=error))
-    face_up["fire"] = fire(gem, 5 * bound)
-    face_up["scintillation"] = scintillation(gem, still, 5 * bound)
-    found = Analysis(gem, face_up, without, tilts)
+    found = Analysis(gem, {}, None, tilts)
     jobs = [
         (curve, (t, 0.0) if axis == "x" else (0.0, t), axis, medium)
         for curve, medium in (("curves", None), ("plain_curves", plain))
@@ -253,10 +221,20 @@ def analyse(
         return numbers(trace(gem, tilt, medium, None, TILTED * error), _frame(tilt)[2])
 
     with ThreadPoolExecutor(os.cpu_count()) as pool:
+        # The longest jobs first.
+        changes = [
+            pool.submit(scintillation, gem, bound=4 * bound, error=error),
+            pool.submit(fire, gem, bound=3 * bound, error=0.3 * error),
+        ]
+        straight = [pool.submit(trace, gem, medium=m, bound=bound, error=error) for m in (None, plain)[: 1 if plain is None else 2]]
         for done, (job, result) in enumerate(zip(jobs, pool.map(one, jobs), strict=True), 1):
             getattr(found, job[0]).setdefault(job[2], []).append(result)
             if progress:
                 progress(done / len(jobs))
+        found.face_up.update(numbers(straight[0].result()))
+        found.face_up["scintillation"], found.face_up["fire"] = (change.result() for change in changes)
+        if plain is not None:
+            found.without = numbers(straight[1].result())
     if plain is not None:
         found.doubled = {
             axis: [doubling(gem, (t, 0.0) if axis == "x" else (0.0, t)) for t in tilts] for axis in "xy"

@@ -1,0 +1,73 @@
+"""Light that moves from one view to another, against exact sums: what a sample makes of it, and how well it knows its error."""
+
+import math
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+import icespar
+from icespar import analysis
+from icespar.gem import Gem
+from icespar.moved import moved
+
+HERE = np.eye(3)
+
+
+def beams(*places, light):
+    """A view of beams from places on the sky's equal-area map, all of them followed exactly."""
+    x, y = np.array(places, dtype=float).T
+    squared = x**2 + y**2
+    across = np.sqrt(1 - squared / 4)
+    return SimpleNamespace(
+        direction=np.column_stack([x * across, y * across, 1 - squared / 2]),
+        entry=np.zeros(len(x), dtype=np.int32),
+        group=np.zeros(len(x), dtype=np.int32),
+        weight=np.array(light),
+        area=np.ones(len(x)),
+        area_total=1.0,
+        untraced=0.0,
+        residue=0.0,
+        groups=0,
+    )
+
+
+@pytest.mark.parametrize(("step", "part"), [(0, 0), (0.25, 0.25), (0.5, 0.5), (1, 1)])
+def test_light_that_moves_by_a_part_of_a_patch_leaves_it_at_so_many_places(step, part):
+    side = 8.0
+    start, to = 0.313, 0.313 + step * math.radians(side)
+    a, b = beams((start, 0.2), (-0.6, 0.1), light=[0.3, 0.1]), beams((to, 0.2), (-0.6, 0.1), light=[0.3, 0.1])
+    assert moved(a, b, HERE, HERE, side, 10) == pytest.approx((0.75 * part, 0, 0), abs=1e-12)
+
+
+def test_a_sample_of_what_is_left_knows_how_much_light_moved_and_how_well(root):
+    stone = Gem.of(root / "scenes/designs/srb_tolkowsky_diamond.asc", "diamond").stone
+    media = [icespar.Medium.isotropic(n) for n in (2.40, 2.46)]
+
+    def views(**options):
+        return [icespar.view(stone, medium, direction=(0.2, 0.1, -1), max_hits=9, **options) for medium in media]
+
+    # Of nine faces all beams can be followed.
+    truth = moved(*views(bound=0, max_beams=0), HERE, HERE, 3, 10)
+    assert truth.bound < 1e-9
+    found = [moved(*views(bound=0, max_beams=1500, error=1e-9, seed=seed), HERE, HERE, 3, 10) for seed in range(24)]
+    off = np.array([abs(f.value - truth.value) for f in found])
+    errors, bounds = (np.array([getattr(f, name) for f in found]) for name in ("error", "bound"))
+    assert np.all(off <= bounds)
+    assert np.mean(off <= 2 * errors) >= 0.9
+    assert np.all(errors < bounds / 5)
+    unsampled = moved(*views(bound=0, max_beams=1500, error=None), HERE, HERE, 3, 10)
+    assert abs(unsampled.value - truth.value) <= unsampled.bound == unsampled.error
+
+
+@pytest.mark.parametrize(("mineral", "axis"), [("diamond", (0, 0, 1)), ("zircon", (1, 0, 0))])
+def test_fire_and_scintillation_are_known_to_a_tenth_of_a_point(root, mineral, axis):
+    gem = Gem.of(root / "scenes/designs/srb_tolkowsky_diamond.asc", mineral, axis=axis)
+    for number in (analysis.fire(gem), analysis.scintillation(gem)):
+        assert 0 < number.error < 0.1 < number.bound
+        assert 20 < number.value < 60
+
+
+def test_a_view_without_light_from_above_shows_nothing_that_moves():
+    below = beams((0.0, 1.9), light=[0.5])
+    assert moved(below, below, HERE, HERE, 5, 10) == (0, 0, 0)
