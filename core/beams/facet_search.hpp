@@ -4,9 +4,13 @@
 #include <cstddef>
 #include <vector>
 
+#include "beams/expansion.hpp"
 #include "stone/stone.hpp"
 
 namespace icespar {
+
+/// Facets that share an edge with each facet.
+[[nodiscard]] std::vector<std::vector<int>> neighbours(const Stone& stone);
 
 /// Coordinates are relative to `centre`, so that a stone far from the origin loses no digits.
 class FacetSearch {
@@ -17,32 +21,39 @@ public:
     [[nodiscard]] int facets() const { return facets_; }
     [[nodiscard]] Vec3 normal(int facet) const {
         const auto i = static_cast<std::size_t>(facet);
-        return {nx_[i], ny_[i], nz_[i]};
+        return {planes_.x[i], planes_.y[i], planes_.z[i]};
     }
     [[nodiscard]] double distance(int facet) const {
-        return distance_[static_cast<std::size_t>(facet)];
+        return planes_.distance[static_cast<std::size_t>(facet)];
     }
-
-    /// What a search leaves behind for `near`.
-    struct Scratch {
-        std::vector<double> gap, ahead;
-        std::vector<int> near;
-    };
-    [[nodiscard]] Scratch scratch() const;
 
     /// The facet that a line from `origin` along `direction` (of any length) meets first, the one
     /// it left excepted, and the multiple of `direction` to it; -1 when none is ahead.
-    [[nodiscard]] int exit(const Vec3& origin, const Vec3& direction, int left, double& t,
-                           Scratch& scratch) const;
+    [[nodiscard]] int exit(const Vec3& origin, const Vec3& direction, int left, double& t) const;
 
-    /// After `exit`: the other facets whose planes lie nearer than `reach` to the point `t` times
-    /// the direction further, or before it.
-    void near(int exit, int left, double t, double reach, Scratch& scratch) const;
+    /// The edge of a facet's neighbour, on the way of a beam.
+    struct Edge {
+        int neighbour;
+        Affine inside;  ///< distance to the neighbour's plane, positive within the stone
+    };
+    /// Sets `edges` to those of `facet` that part of a polygon of points on its plane lies beyond.
+    /// No other plane can cut the polygon: within all its neighbours a plane is the facet.
+    void crossed(int facet, const Expansion& point, PolygonView polygon,
+                 std::vector<Edge>& edges) const;
 
 private:
+    /// Planes, each number of all of them side by side.
+    struct Planes {
+        std::vector<double> x, y, z, distance;
+        void add(const Vec3& normal, double distance);
+        /// To whole vectors, with planes that are never ahead and never near.
+        void pad();
+    };
     int facets_;
     Vec3 centre_;
-    std::vector<double> nx_, ny_, nz_, distance_;  ///< padded with planes that are never ahead
+    Planes planes_, around_;                 ///< of all facets; of each facet's neighbours in turn
+    std::vector<int> neighbours_;            ///< whose planes are `around_`
+    std::vector<std::size_t> first_around_;  ///< of each facet, and the end
 };
 
 }  // namespace icespar

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 
 namespace icespar {
 
@@ -76,14 +75,6 @@ Footprint::Footprint(const Stone& stone, const Camera& camera, int width, int he
                    ? dot(f.normal, camera.direction) < 0
                    : dot(f.normal, camera.location - facets_.centre()) > facets_.distance(i);
     };
-    std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<int>> edges;
-    for (int i = 0; i < facets_.facets(); ++i) {
-        const auto& corners = stone.facets[static_cast<std::size_t>(i)].corners;
-        for (std::size_t c = 0; c < corners.size(); ++c) {
-            const std::uint32_t a = corners[c], b = corners[(c + 1) % corners.size()];
-            edges[{std::min(a, b), std::max(a, b)}].push_back(i);
-        }
-    }
     frame_ = {width, height, 0, 0};
     std::vector<int> place(stone.facets.size(), -1);
     for (int i = 0; i < facets_.facets(); ++i) {
@@ -97,15 +88,11 @@ Footprint::Footprint(const Stone& stone, const Camera& camera, int width, int he
         frame_ = {std::min(frame_.x0, own.x0), std::min(frame_.y0, own.y0),
                   std::max(frame_.x1, own.x1), std::max(frame_.y1, own.y1)};
     }
-    for (const auto& [ends, facets] : edges) {
-        for (const int i : facets) {
-            const int at = place[static_cast<std::size_t>(i)];
-            if (at < 0) continue;
-            for (const int j : facets) {
-                if (j == i) continue;
-                seen_[static_cast<std::size_t>(at)].neighbours.push_back(j);
-                if (place[static_cast<std::size_t>(j)] < 0) outline_.push_back({i, j});
-            }
+    const auto around = neighbours(stone);
+    for (Seen& s : seen_) {
+        s.neighbours = around[static_cast<std::size_t>(s.facet)];
+        for (const int j : s.neighbours) {
+            if (place[static_cast<std::size_t>(j)] < 0) outline_.push_back({s.facet, j});
         }
     }
 }

@@ -8,6 +8,15 @@ namespace {
 
 double twice_area(const Point2& a, const Point2& b) { return a.x * b.y - a.y * b.x; }
 
+/// Where a number is 0 on an edge at whose ends it has opposite signs: the same point whichever way
+/// the edge is walked.
+Point2 crossing(const Point2& from, const Point2& to, double at_from, double at_to) {
+    const bool forwards = from.x < to.x || (from.x == to.x && from.y < to.y);
+    const Point2 &a = forwards ? from : to, &b = forwards ? to : from;
+    const double fa = forwards ? at_from : at_to, fb = forwards ? at_to : at_from;
+    return a + (fa / (fa - fb)) * (b - a);
+}
+
 }  // namespace
 
 Extent extent(PolygonView p) {
@@ -46,15 +55,28 @@ void clip(PolygonView p, const Affine& f, Polygon& out) {
     double before = f(from);
     for (const Point2& to : p) {
         const double now = f(to);
-        if ((before >= 0) != (now >= 0)) {
-            // The same point whichever way the edge is walked.
-            const bool forwards = from.x < to.x || (from.x == to.x && from.y < to.y);
-            const Point2 &a = forwards ? from : to, &b = forwards ? to : from;
-            const double fa = forwards ? before : now, fb = forwards ? now : before;
-            const double part = fa / (fa - fb);
-            out.push_back(a + part * (b - a));
-        }
+        if (before * now < 0) out.push_back(crossing(from, to, before, now));
         if (now >= 0) out.push_back(to);
+        from = to;
+        before = now;
+    }
+}
+
+void split(PolygonView p, const Affine& f, Polygon& above, Polygon& below) {
+    above.clear();
+    below.clear();
+    if (p.empty()) return;
+    Point2 from = p.back();
+    double before = f(from);
+    for (const Point2& to : p) {
+        const double now = f(to);
+        if (before * now < 0) {
+            const Point2 there = crossing(from, to, before, now);
+            above.push_back(there);
+            below.push_back(there);
+        }
+        if (now >= 0) above.push_back(to);
+        if (now <= 0) below.push_back(to);
         from = to;
         before = now;
     }

@@ -10,6 +10,7 @@ struct Point2 {
     double x = 0, y = 0;
     friend Point2 operator+(const Point2& a, const Point2& b) { return {a.x + b.x, a.y + b.y}; }
     friend Point2 operator-(const Point2& a, const Point2& b) { return {a.x - b.x, a.y - b.y}; }
+    friend bool operator==(const Point2&, const Point2&) = default;
     friend Point2 operator*(double f, const Point2& p) { return {f * p.x, f * p.y}; }
 };
 
@@ -49,6 +50,9 @@ struct Moments {
 /// opposite sign cut along the same points, so that the parts sum to the whole. `out` must be
 /// another polygon.
 void clip(PolygonView polygon, const Affine& f, Polygon& out);
+
+/// Both parts at once: where f >= 0, and where f <= 0.
+void split(PolygonView polygon, const Affine& f, Polygon& above, Polygon& below);
 
 /// The point of a polygon that belongs to (u, v) of the unit square, areas being kept: uniform
 /// numbers give uniform points.

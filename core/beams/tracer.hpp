@@ -41,7 +41,7 @@ template <class Response, bool birefringent, bool spectral = false>
 class BeamTracer {
 public:
     explicit BeamTracer(const FacetSearch& facets)
-        : facets_(facets), scratch_(facets.scratch()), air_(Medium::isotropic(1)), medium_(air_) {}
+        : facets_(facets), air_(Medium::isotropic(1)), medium_(air_) {}
 
     /// A colour is whatever number indices may depend on: dn_o and dn_e are their derivatives.
     void set_medium(const Medium& medium, double dn_o = 0, double dn_e = 0) {
@@ -62,19 +62,17 @@ public:
         bool chosen = false;
         std::size_t base = 0;
         int depth = 0;
-        while (!beams_.empty()) {
-            beam_ = beams_.back();
-            beams_.pop_back();
+        while (alive_ || !beams_.empty()) {
+            if (!alive_) pop();
+            alive_ = false;
             if (beam_.chosen && !chosen) {
                 chosen = true;
                 base = beams_.size();
                 depth = beam_.hits;
                 sink.open();
             }
-            polygon_.assign(corners_.end() - beam_.corners, corners_.end());
-            corners_.resize(corners_.size() - static_cast<std::size_t>(beam_.corners));
             advance(sink);
-            if (chosen && beams_.size() == base) {
+            if (chosen && !alive_ && beams_.size() == base) {
                 chosen = false;
                 sink.close(depth);
             }
@@ -108,9 +106,10 @@ private:
     };
 
     /// Follows the beam on from a face if it is worth it; its weight is area times power. One
-    /// chance an event: a piece cut off later must not play again at the same depth.
+    /// chance an event: a piece cut off later must not play again at the same depth. The last of an
+    /// event's beams goes on at once, others wait.
     template <class Sink>
-    void send(Sink& sink) {
+    void send(Sink& sink, bool last = true) {
         const double weight = beam_.area * beam_.response.power();
         if (!sink.may_meet(beam_.hits)) return sink.lose(weight);
         const double gain = sink.gain(weight, beam_.hits);
@@ -120,6 +119,8 @@ private:
             beam_.response.scale(gain);
             beam_.chosen = true;
         }
+        alive_ = last;
+        if (last) return;
         push(beam_, polygon_);
         beam_.chosen = before;
     }
@@ -128,6 +129,13 @@ private:
         beam.corners = static_cast<int>(polygon.size());
         beams_.push_back(beam);
         corners_.insert(corners_.end(), polygon.begin(), polygon.end());
+    }
+
+    void pop() {
+        beam_ = beams_.back();
+        beams_.pop_back();
+        polygon_.assign(corners_.end() - beam_.corners, corners_.end());
+        corners_.resize(corners_.size() - static_cast<std::size_t>(beam_.corners));
     }
 
     /// Moves the expansions to the polygon's centroid and its corners with them. False when nothing
@@ -186,29 +194,20 @@ private:
             }
         }
         double t = 0;
-        const int facet = facets_.exit(beam_.position.value, flow.value, beam_.left, t, scratch_);
+        const int facet = facets_.exit(beam_.position.value, flow.value, beam_.left, t);
         if (facet < 0) return sink.lose(beam_.area * beam_.response.power());
         const Vec3 normal = facets_.normal(facet);
         Expansion there = arrival(beam_.position, flow, normal, t);
-        double reach2 = 0;
-        for (const Point2& p : polygon_) {
-            const Vec3 step = p.x * there.dx + p.y * there.dy;
-            reach2 = std::max(reach2, dot(step, step));
-        }
-        facets_.near(facet, beam_.left, t, std::sqrt(reach2), scratch_);
+        facets_.crossed(facet, there, polygon_, edges_);
         bool cut = false;
         // A piece that has been cut off by the facet it now meets is not cut again: the edge
         // between two facets is crossed once.
-        if (!scratch_.near.empty() && (beam_.bases < 0 || !based_on(beam_.bases, facet))) {
-            for (const int other : scratch_.near) {
-                if (beam_.bases >= 0 && based_on(beam_.bases, other)) continue;
-                const Affine gap = inside(there, other);
-                double least = 0;
-                for (const Point2& p : polygon_) least = std::min(least, gap(p));
-                if (least == 0) continue;
+        if (!edges_.empty() && !based_on(beam_.bases, facet)) {
+            for (const auto& [other, inside] : edges_) {
+                if (other == beam_.left || based_on(beam_.bases, other)) continue;
+                split(polygon_, inside, rest_, piece_);
+                if (piece_.size() < 3) continue;
                 cut = true;
-                clip(polygon_, {-gap.value, -gap.dx, -gap.dy}, piece_);
-                clip(polygon_, gap, rest_);
                 polygon_.swap(rest_);
                 Beam off = beam_;
                 if (recentre(off, piece_)) {
@@ -241,12 +240,6 @@ private:
         const Vec3 x = from.dx + t * flow.dx, y = from.dy + t * flow.dy;
         return {from.value + t * flow.value, x + (speed * dot(normal, x)) * flow.value,
                 y + (speed * dot(normal, y)) * flow.value};
-    }
-
-    /// Distance to a plane, positive within the stone.
-    [[nodiscard]] Affine inside(const Expansion& point, int facet) const {
-        const Affine height = point.along(facets_.normal(facet));
-        return {facets_.distance(facet) - height.value, -height.dx, -height.dy};
     }
 
     /// The outgoing wave vector `value` that shares k's tangential part, with its derivatives: dk
@@ -352,7 +345,7 @@ private:
             beam_.k = matched(k, normal, out, flow);
             if constexpr (spectral) beam_.fan = fanned(fan, normal, flow, swelling(out, i == 1));
             beam_.s = face.field_direction(transmitted, i);
-            send(sink);
+            send(sink, i == 1);
         }
     }
 
@@ -421,15 +414,16 @@ private:
     }
 
     const FacetSearch& facets_;
-    FacetSearch::Scratch scratch_;
     Medium air_, medium_;
     double eps_o_ = 1, eps_e_ = 1;
     double swell_o_ = 0, swell_e_ = 0;
     std::vector<Beam> beams_;
     Polygon corners_;
     std::vector<Base> bases_;
-    Beam beam_{};
+    Beam beam_{};         ///< with polygon_: the one being followed
+    bool alive_ = false;  ///< it goes on
     Polygon polygon_, piece_, rest_;
+    std::vector<FacetSearch::Edge> edges_;
     std::uint64_t events_ = 0;
 };
 

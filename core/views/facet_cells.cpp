@@ -2,32 +2,15 @@
 #include "views/facet_cells.hpp"
 
 #include <algorithm>
-#include <map>
-#include <utility>
 
 namespace icespar {
 
 FacetCells::FacetCells(const Stone& stone)
     : facets_(stone),
-      scratch_(facets_.scratch()),
-      neighbours_(stone.facets.size()),
+      neighbours_(neighbours(stone)),
       distances_(stone.facets.size()),
       known_(stone.facets.size()),
-      asked_(stone.facets.size()) {
-    std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
-    for (std::size_t i = 0; i < stone.facets.size(); ++i) {
-        const auto& corners = stone.facets[i].corners;
-        for (std::size_t c = 0; c < corners.size(); ++c) {
-            const std::uint32_t a = corners[c], b = corners[(c + 1) % corners.size()];
-            const int facet = static_cast<int>(i);
-            const auto [other, fresh] =
-                edges.try_emplace(a < b ? std::pair(a, b) : std::pair(b, a), facet);
-            if (fresh) continue;
-            neighbours_[i].push_back(other->second);
-            neighbours_[static_cast<std::size_t>(other->second)].push_back(facet);
-        }
-    }
-}
+      asked_(stone.facets.size()) {}
 
 const Affine& FacetCells::distance(int facet, const BeamPlace& place, const Vec3& flow) {
     const auto i = static_cast<std::size_t>(facet);
@@ -47,7 +30,7 @@ std::span<const FacetCells::Piece> FacetCells::divide(const BeamPlace& place, co
     ++call_;
     count_ = 0;
     double t = 0;
-    const int first = facets_.exit(place.at(inside), flow, left, t, scratch_);
+    const int first = facets_.exit(place.at(inside), flow, left, t);
     if (first < 0) return {};
     waiting_.assign(1, first);
     asked_[static_cast<std::size_t>(first)] = call_;
@@ -61,7 +44,7 @@ std::span<const FacetCells::Piece> FacetCells::divide(const BeamPlace& place, co
         const Affine here = distance(facet, place, flow);
         for (const int other : neighbours_[static_cast<std::size_t>(facet)]) {
             // Behind, or all but parallel: it is never the nearest.
-            if (other == left || !(scratch_.ahead[static_cast<std::size_t>(other)] > 0)) continue;
+            if (other == left || !(dot(facets_.normal(other), flow) > 0)) continue;
             const Affine nearer = distance(other, place, flow) - here;
             double least = 0;
             for (const Point2& p : piece.polygon) least = std::min(least, nearer(p));

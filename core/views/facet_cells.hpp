@@ -42,7 +42,6 @@ private:
     [[nodiscard]] const Affine& distance(int facet, const BeamPlace& place, const Vec3& flow);
 
     FacetSearch facets_;
-    FacetSearch::Scratch scratch_;
     std::vector<std::vector<int>> neighbours_;
     std::vector<Affine> distances_;
     std::vector<unsigned> known_, asked_;  ///< the call that set them

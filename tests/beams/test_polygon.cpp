@@ -40,13 +40,16 @@ TEST_CASE("a regular polygon has its known area, and its centroid in the middle"
 TEST_CASE("the parts on both sides of any line sum to the polygon, in area and in moment",
           "[polygon]") {
     Random random(3);
-    Polygon whole, left, right, kept;
+    Polygon whole, left, right, above, below;
     for (int i = 0; i < 20000; ++i) {
         whole = regular(3 + random.below(9));
         for (int cuts = 0; cuts < 4; ++cuts) {
             const Affine f = line(random);
             clip(whole, f, left);
             clip(whole, {-f.value, -f.dx, -f.dy}, right);
+            split(whole, f, above, below);
+            REQUIRE(above == left);
+            REQUIRE(below == right);
             const Extent w = extent(whole), l = extent(left), r = extent(right);
             REQUIRE(std::abs(l.area + r.area - w.area) < 1e-14);
             REQUIRE(std::abs(l.area * l.centroid.x + r.area * r.centroid.x -
@@ -68,6 +71,9 @@ TEST_CASE("a line through corners or along an edge loses nothing", "[polygon]") 
     CHECK(extent(out).area == 0);
     clip(square, {-2, 1, 0}, out);
     CHECK(out.empty());
+    Polygon rest;
+    split(square, {0, 1, -1}, out, rest);
+    CHECK(extent(out).area + extent(rest).area == 4);
 }
 
 TEST_CASE("uniform numbers give points spread evenly over a polygon", "[polygon]") {
