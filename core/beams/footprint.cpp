@@ -6,11 +6,28 @@
 #include <cmath>
 
 namespace icespar {
+namespace {
 
-RayField pixel_field(const Camera& camera, int width, int height, int x, int y,
+/// Of a pixel, in pixels from the picture's.
+Point2 pixel_middle(int width, int height, double x, double y) {
+    return {x + 0.5 - 0.5 * width, 0.5 * height - y - 0.5};
+}
+
+enum class Side { within, beyond, both };
+
+/// Where a pixel about the origin lies.
+Side side(const Affine& f) {
+    const double reach = 0.5 * (std::abs(f.dx) + std::abs(f.dy));
+    return f.value >= reach ? Side::within : f.value < -reach ? Side::beyond : Side::both;
+}
+
+}  // namespace
+
+RayField pixel_field(const Camera& camera, int width, int height, double x, double y,
                      const Vec3& centre) {
     const Vec3 right = camera.right / width, up = camera.up / height;
-    const Vec3 offset = (x + 0.5 - 0.5 * width) * right + (0.5 * height - y - 0.5) * up;
+    const Point2 middle = pixel_middle(width, height, x, y);
+    const Vec3 offset = middle.x * right + middle.y * up;
     const Vec3 location = camera.location - centre;
     if (camera.kind == Camera::Kind::orthographic) {
         return {{location + offset, right, up}, {normalised(camera.direction), {}, {}}};
@@ -51,15 +68,15 @@ Frame Projection::frame(std::span<const Vec3> points) const {
     return out;
 }
 
-Affine Footprint::within(int facet, int other, const RayField& pixel) const {
+Affine Footprint::within(int facet, int other, const RayField& lines) const {
     // With gap = d - n . origin and ahead = n . direction, the line reaches plane f at gap_f /
     // ahead_f and is then gap_g - ahead_g gap_f / ahead_f from plane g; ahead_f is negative. Either
-    // the gaps or the aheads are constant over the pixel, so that the product is linear; and taken
-    // for (g, f) it is exactly the opposite, so that no part is lost between facets.
-    const Affine up_f = pixel.direction.along(facets_.normal(facet)),
-                 up_g = pixel.direction.along(facets_.normal(other));
-    const Affine at_f = pixel.origin.along(facets_.normal(facet)),
-                 at_g = pixel.origin.along(facets_.normal(other));
+    // the gaps or the aheads are constant over the picture, so that the product is linear; and
+    // taken for (g, f) it is exactly the opposite, so that no part is lost between facets.
+    const Affine up_f = lines.direction.along(facets_.normal(facet)),
+                 up_g = lines.direction.along(facets_.normal(other));
+    const Affine at_f = lines.origin.along(facets_.normal(facet)),
+                 at_g = lines.origin.along(facets_.normal(other));
     const double gap_f = facets_.distance(facet) - at_f.value,
                  gap_g = facets_.distance(other) - at_g.value;
     return {gap_f * up_g.value - gap_g * up_f.value,
@@ -68,7 +85,7 @@ Affine Footprint::within(int facet, int other, const RayField& pixel) const {
 }
 
 Footprint::Footprint(const Stone& stone, const Camera& camera, int width, int height)
-    : facets_(stone) {
+    : width_(width), height_(height), facets_(stone) {
     const Projection projection(camera, width, height);
     const auto faces = [&](const Facet& f, int i) {
         return camera.kind == Camera::Kind::orthographic
@@ -89,29 +106,32 @@ Footprint::Footprint(const Stone& stone, const Camera& camera, int width, int he
                   std::max(frame_.x1, own.x1), std::max(frame_.y1, own.y1)};
     }
     const auto around = neighbours(stone);
+    const RayField lines =
+        pixel_field(camera, width, height, 0.5 * (width - 1), 0.5 * (height - 1), facets_.centre());
     for (Seen& s : seen_) {
-        s.neighbours = around[static_cast<std::size_t>(s.facet)];
-        for (const int j : s.neighbours) {
-            if (place[static_cast<std::size_t>(j)] < 0) outline_.push_back({s.facet, j});
+        for (const int j : around[static_cast<std::size_t>(s.facet)]) {
+            s.within.push_back(within(s.facet, j, lines));
+            if (place[static_cast<std::size_t>(j)] < 0) outline_.push_back(s.within.back());
         }
     }
 }
 
-void Footprint::divide(const RayField& pixel, int x, int y, std::vector<Part>& parts,
-                       std::size_t& count) const {
+void Footprint::divide(int x, int y, std::vector<Part>& parts, std::size_t& count) const {
     count = 0;
+    const Point2 middle = pixel_middle(width_, height_, x, y);
+    const auto here = [&](const Affine& f) { return Affine{f(middle), f.dx, f.dy}; };
     const auto next = [&](int facet) -> Polygon& {
         if (count == parts.size()) parts.emplace_back();
         parts[count].facet = facet;
         return parts[count].polygon;
     };
     Polygon rest(pixel_square.begin(), pixel_square.end()), swap;
-    for (const Border& border : outline_) {
-        const Affine f = within(border.facet, border.beyond, pixel);
-        clip(rest, {-f.value, -f.dx, -f.dy}, next(-1));
+    for (const Affine& border : outline_) {
+        const Affine f = here(border);
+        if (side(f) == Side::within) continue;
+        split(rest, f, swap, next(-1));
         if (!(extent(parts[count].polygon).area > 0)) continue;
         ++count;
-        clip(rest, f, swap);
         rest.swap(swap);
         if (rest.empty()) return;
     }
@@ -119,8 +139,15 @@ void Footprint::divide(const RayField& pixel, int x, int y, std::vector<Part>& p
         if (!s.frame.holds(x, y)) continue;
         Polygon& part = next(s.facet);
         part = rest;
-        for (const int neighbour : s.neighbours) {
-            clip(part, within(s.facet, neighbour, pixel), swap);
+        for (const Affine& neighbour : s.within) {
+            const Affine f = here(neighbour);
+            const Side where = side(f);
+            if (where == Side::within) continue;
+            if (where == Side::beyond) {
+                part.clear();
+                break;
+            }
+            clip(part, f, swap);
             part.swap(swap);
             if (part.empty()) break;
         }

@@ -17,7 +17,7 @@ inline constexpr std::array<Point2, 4> pixel_square{
 
 /// The lines of pixel (x, y), counted from the top left, about its centre: picture x to the right
 /// and y up, in pixels. Origins are relative to `centre`.
-[[nodiscard]] RayField pixel_field(const Camera& camera, int width, int height, int x, int y,
+[[nodiscard]] RayField pixel_field(const Camera& camera, int width, int height, double x, double y,
                                    const Vec3& centre);
 
 /// Pixels, first included, last not.
@@ -53,26 +53,23 @@ public:
         Polygon polygon;
     };
     /// The parts of a pixel within the frame; `parts` is reused.
-    void divide(const RayField& pixel, int x, int y, std::vector<Part>& parts,
-                std::size_t& count) const;
+    void divide(int x, int y, std::vector<Part>& parts, std::size_t& count) const;
 
 private:
     struct Seen {
         int facet;
         Frame frame;
-        std::vector<int> neighbours;
+        std::vector<Affine> within;  ///< its neighbours
     };
-    struct Border {
-        int facet, beyond;
-    };
-    /// Positive where the line of sight meets plane `facet`, which faces the camera, within plane
-    /// `other`.
-    [[nodiscard]] Affine within(int facet, int other, const RayField& pixel) const;
+    /// Of the whole picture, counted in pixels from its middle: positive where the line of sight
+    /// meets plane `facet`, which faces the camera, within plane `other`.
+    [[nodiscard]] Affine within(int facet, int other, const RayField& lines) const;
 
+    int width_, height_;
     FacetSearch facets_;
     Frame frame_;
     std::vector<Seen> seen_;
-    std::vector<Border> outline_;  ///< facets seen and their neighbours that are not
+    std::vector<Affine> outline_;  ///< of facets seen, within neighbours that are not
 };
 
 }  // namespace icespar

@@ -156,7 +156,7 @@ public:
         const auto g = static_cast<std::size_t>(stone);
         const Crystal& crystal = scene.gems[g].crystal;
         field_ = pixel_field(scene.camera, width_, height_, x, y, stones_.facets[g].centre());
-        stones_.footprints[g].divide(field_, x, y, parts_, count_);
+        stones_.footprints[g].divide(x, y, parts_, count_);
         for (std::size_t i = 0; i < count_; ++i) {
             if (parts_[i].facet < 0) background(parts_[i].polygon);
         }
