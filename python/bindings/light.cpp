@@ -1,4 +1,4 @@
-// Spectra of lamps: the CIE's illuminants, and black bodies.
+// Spectra of lamps: the CIE's illuminants, and black bodies; the observer of the CIE.
 #include <pybind11/stl.h>
 
 #include <algorithm>
@@ -41,6 +41,23 @@ void bind_light(py::module_& module) {
         },
         "kelvin"_a, "wavelength_nm"_a,
         "Planck's law at wavelengths of any shape, in nm, scaled as `illuminant`; 500 to 50000 K.");
+    module.def(
+        "observer",
+        [](const py::object& wavelength_nm) {
+            const Doubles at = real_array(wavelength_nm, "wavelength_nm");
+            std::vector<py::ssize_t> shape(at.shape(), at.shape() + at.ndim());
+            shape.push_back(3);
+            Doubles values(shape);
+            for (py::ssize_t i = 0; i < at.size(); ++i) {
+                const Xyz xyz = observer(at.data()[i]);
+                std::copy(xyz.begin(), xyz.end(), values.mutable_data() + 3 * i);
+            }
+            return values;
+        },
+        "wavelength_nm"_a,
+        "The 2-degree observer of the CIE (1931) at wavelengths of any shape, in nm: x, y and z "
+        "along one more axis.\n\nScaled so that the light E of radiance 1 has luminance 1; "
+        "0 outside 380 to 780 nm.");
     module.def(
         "illuminants",
         [] {

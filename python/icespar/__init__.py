@@ -30,6 +30,7 @@ from ._core import (
     blackbody,
     illuminant,
     illuminants,
+    observer,
 )
 from .cutting import Proportions, cutting_table, proportions
 from .image import Image
@@ -71,6 +72,7 @@ __all__ = [
     "load",
     "mineral",
     "minerals",
+    "observer",
     "polarisation",
     "proportions",
     "tilt_curve",

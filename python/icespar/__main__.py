@@ -51,6 +51,11 @@ def _parser() -> argparse.ArgumentParser:
     for command in (analyse, compare):
         command.add_argument("--colour", metavar="NAME", help="the mineral's colour in pictures, as `icespar minerals NAME` lists")
         command.add_argument(
+            "--coloured",
+            action="store_true",
+            help="numbers of the stone with its colour besides, in white light (D65): parts of what the eye sees of it",
+        )
+        command.add_argument(
             "--axis",
             type=_direction,
             default=(0.0, 0.0, 1.0),
@@ -99,7 +104,7 @@ def _run(options: argparse.Namespace) -> int:
     found = []
     for gem in gems:
         with bar(report.label(gem)) as progress:
-            found.append(analyse(gem, tilts, options.bound / 100, options.error / 100, progress))
+            found.append(analyse(gem, tilts, options.bound / 100, options.error / 100, progress, options.coloured))
     for path, kind in outputs.items():
         text = {
             ".html": lambda: report.html(found, options.size, options.spp),

@@ -1,123 +1,43 @@
-"""The cutter's numbers: light return, leakage, extinction, fire, scintillation and doubling, each with its bound and error."""
+"""The cutter's numbers of a gem at all tilts, with fire, scintillation and doubling, each with its bound and error."""
 
 import math
 import os
 from collections.abc import Callable, Iterable
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
-from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-from ._core import Medium
-from .gem import Gem, tilted
+from ._core import Error, Medium
+from .coloured import Coloured, coloured
+from .gem import Gem
 from .moved import moved
 from .optics import interface
-from .views import View, view
+from .performance import (
+    C_LINE,
+    D_LINE,
+    F_LINE,
+    HEAD,
+    LAMP,
+    NUDGE,
+    PATCH,
+    Number,
+    Numbers,
+    frame_of,
+    numbers,
+    percent,
+    trace,
+)
 
-HEAD = 10.0  #: half the angle of the observer's head in light return and extinction, degrees; GemRay's
-SCOPE_HEAD = 15.0  #: and in ASET and Ideal-Scope
-LAMP = 2.0  #: side of a patch of sky that counts as one lamp, for fire, degrees
-PATCH = 10.0  #: and for scintillation
-NUDGE = 2.0  #: tilt between the two views of scintillation, degrees
-BEAMS = 500_000  #: after so many a view that is to be traced to a bound ends, and states what is left
-CHANGING = 150_000  #: the same of each view for fire and scintillation, whose rest tells enough
+CHANGING = 150_000  #: beams of each view for fire and scintillation, at most: its rest tells enough
 TILTED = 5.0  #: so much larger is the error that is asked of tilted views
-F_LINE, C_LINE, D_LINE = 486.1, 656.3, 589.3  #: nm
-
-
-class Number(NamedTuple):
-    """A part of the stone's face, in percent. The truth is never further than `bound` away, and within about two `error`."""
-
-    value: float
-    bound: float
-    error: float  #: one standard error; where nothing was sampled, the bound: the truth then lies between value and value + bound
-
-
-Numbers = dict[str, Number]
-
-#: What each number is, for readers of a report. All are parts of the face-up picture's area, in percent.
-MEANING = {
-    "iso": "GemRay's ISO: the sky is white down to the horizon, but for the observer's head",
-    "cosine": "GemRay's COS: the sky fades with the cosine of the angle from the zenith",
-    "sc2": "GemRay's SC2: the sky is brightest at 45 degrees, 2 sine cosine",
-    "table_iso": "ISO of the table alone",
-    "table_cosine": "COS of the table alone",
-    "table_sc2": "SC2 of the table alone",
-    "leakage": "light that comes from below the horizon, where a setting is dark",
-    "window": "the part of the leakage that passes straight through, in by one facet and out by the next",
-    "extinction": "light that comes from the observer's head, which is dark",
-    "aset_red": "what ASET shows red: from 45 degrees above the horizon to the head's edge",
-    "aset_green": "green: from the horizon up to 45 degrees",
-    "aset_blue": "blue: from the head",
-    "aset_black": "black: from below",
-    "idealscope_red": "what Ideal-Scope shows red: from above, beside the head",
-    "idealscope_black": "black: from the head",
-    "idealscope_white": "white: from below",
-    "fire": (
-        "our own: the part of the light from above that comes from another patch of sky, or by another facet, in blue (F line)"
-        f" than in red (C line); patches of {LAMP:g} degrees, the size of a lamp"
-    ),
-    "scintillation": (
-        f"our own: the part of the light from above that comes from another patch of sky, or by another facet, once the stone"
-        f" is tilted by {NUDGE:g} degrees; patches of {PATCH:g} degrees; the mean of both tilts"
-    ),
-}
-
-
-def trace(
-    gem: Gem,
-    tilt: tuple[float, float] = (0.0, 0.0),
-    medium: Medium | None = None,
-    bound: float | None = 1e-3,
-    error: float | None = 1e-4,
-    max_beams: int = BEAMS,
-) -> View:
-    """The gem in a parallel view, tilted as in `Gem.picture`; `medium` takes the place of its own at 589.3 nm.
-
-    The rest is as in `icespar.view`.
-    """
-    toward, up = tilted([[0, 0, 1], [0, 1, 0]], tilt)
-    medium = gem.medium(D_LINE) if medium is None else medium
-    return view(gem.stone, medium, direction=-toward, up=up, bound=bound, error=error, max_beams=max_beams)
-
-
-def numbers(seen: View, towards: NDArray[np.float64] | tuple[float, ...] = (0, 0, 1)) -> Numbers:
-    """What one view says."""
-    height = seen.direction @ np.asarray(towards, dtype=float)
-
-    def part(lit: NDArray[np.bool_]) -> Number:
-        return _percent(seen.light_return(lambda _: lit))
-
-    head, scope = math.cos(math.radians(HEAD)), math.cos(math.radians(SCOPE_HEAD))
-    half, above = math.sin(math.pi / 4), height > 0
-    out: Numbers = {}
-    for dome in ("iso", "cosine", "sc2"):
-        out[dome] = _percent(seen.light_return(dome, head_shadow=HEAD, zenith=towards))
-    if np.any(seen.stone.normals[:, 2] > 1 - 1e-9):
-        for dome in ("iso", "cosine", "sc2"):
-            out[f"table_{dome}"] = _percent(seen.light_return(dome, head_shadow=HEAD, zenith=towards, table=True))
-    out["leakage"] = part(~above)
-    out["window"] = part(~above & (seen.hits == 2))
-    out["extinction"] = part(height > head)
-    out["aset_red"] = part((height > half) & (height <= scope))
-    out["aset_green"] = part(above & (height <= half))
-    out["aset_blue"] = out["idealscope_black"] = part(height > scope)
-    out["aset_black"] = out["idealscope_white"] = out["leakage"]
-    out["idealscope_red"] = part(above & (height <= scope))
-    return out
-
-
-def _frame(tilt: tuple[float, float]) -> NDArray[np.float64]:
-    """The viewer's right, up and towards, in the frame of the stone."""
-    return tilted(np.eye(3), tilt)
+COARSE = 10.0  #: between wavelengths of tilted views of a coloured stone, nm; 5 face-up
 
 
 def fire(gem: Gem, tilt: tuple[float, float] = (0.0, 0.0), bound: float = 3e-3, error: float | None = 3e-5) -> Number:
     """MEANING["fire"]; the others are those of `trace`, for each of two views."""
     blue, red = (trace(gem, tilt, gem.medium(nm), bound, error, CHANGING) for nm in (F_LINE, C_LINE))
-    return _percent(moved(blue, red, _frame(tilt), _frame(tilt), LAMP, HEAD))
+    return percent(moved(blue, red, frame_of(tilt), frame_of(tilt), LAMP, HEAD))
 
 
 def scintillation(
@@ -125,13 +45,9 @@ def scintillation(
 ) -> Number:
     """MEANING["scintillation"]; the others are those of `trace`, for each of three views."""
     ways = tilt, (tilt[0] + NUDGE, tilt[1]), (tilt[0], tilt[1] + NUDGE)
-    still, *nudged = ((trace(gem, way, None, bound, error, CHANGING), _frame(way)) for way in ways)
+    still, *nudged = ((trace(gem, way, None, bound, error, CHANGING), frame_of(way)) for way in ways)
     found = [moved(still[0], seen, still[1], frame, PATCH, HEAD) for seen, frame in nudged]
-    return _percent(np.mean(found, axis=0).tolist())
-
-
-def _percent(number: Iterable[float]) -> Number:
-    return Number(*(100 * x for x in number))
+    return percent(np.mean(found, axis=0).tolist())
 
 
 @dataclass(frozen=True)
@@ -151,7 +67,7 @@ def doubling(gem: Gem, tilt: tuple[float, float] = (0.0, 0.0)) -> Doubling:
         return Doubling(math.nan, math.nan)
     low = corners[np.isclose(corners[:, 2], corners[:, 2].min())].mean(axis=0)
     depth = corners[:, 2].max() - low[2]
-    line = -_frame(tilt)[2]
+    line = -frame_of(tilt)[2]
     # Both waves are there for any polarisation of the incident light.
     entering = interface(Medium.isotropic(1.0), gem.medium(D_LINE), (0, 0, -1), line, mode="s", only={"ray"})
     rays = entering.transmitted.ray[0]
@@ -179,6 +95,8 @@ class Analysis:
     curves: dict[str, list[Numbers]] = field(default_factory=dict)  #: "x", "y": numbers at each tilt
     plain_curves: dict[str, list[Numbers]] = field(default_factory=dict)  #: the same without birefringence
     doubled: dict[str, list[Doubling]] = field(default_factory=dict)
+    coloured: Coloured | None = None  #: face-up with its colour, if that was asked for
+    coloured_curves: dict[str, list[Numbers]] = field(default_factory=dict)  #: the same at each tilt, of the luminance
 
     @property
     def effect(self) -> Numbers:
@@ -197,28 +115,34 @@ def analyse(
     bound: float = 1e-3,
     error: float = 1e-4,
     progress: Callable[[float], None] | None = None,
+    colour: bool = False,
 ) -> Analysis:
     """Traces the gem face-up, until no more than `bound` of all light is left or many beams were followed, and samples the
     rest to the standard error `error`; the views of fire and scintillation end with 3 and 4 `bound`, or earlier, and are sampled as well.
     At each tilt about both axes numbers have an error of 5 `error`, whatever their bound.
 
-    Stones are clear: colours belong to pictures, numbers to the cut.
+    Stones are clear. With `colour` there are the numbers of the coloured stone besides, as `icespar.coloured` defines them.
     """
+    if colour and not gem.colour:
+        raise Error(f"{gem.name} has no colour: name one of its mineral's, or leave the coloured stone out")
     tilts = [float(t) for t in tilts]
     plain = gem.isotropic(D_LINE) if gem.birefringent else None
     found = Analysis(gem, {}, None, tilts)
+    kinds = {"curves": True, "plain_curves": plain is not None, "coloured_curves": colour and len(tilts) > 1}
     jobs = [
-        (curve, (t, 0.0) if axis == "x" else (0.0, t), axis, medium)
-        for curve, medium in (("curves", None), ("plain_curves", plain))
-        if curve == "curves" or plain is not None
+        (curve, (t, 0.0) if axis == "x" else (0.0, t), axis)
+        for curve, wanted in kinds.items()
+        if wanted
         for axis in "xy"
         for t in tilts
     ]
 
     def one(job):
-        _, tilt, _, medium = job
-        medium = gem.medium(D_LINE) if medium is None else medium
-        return numbers(trace(gem, tilt, medium, None, TILTED * error), _frame(tilt)[2])
+        curve, tilt, _ = job
+        if curve == "coloured_curves":
+            return coloured(gem, tilt, COARSE, TILTED * error).luminous
+        medium = plain if curve == "plain_curves" else gem.medium(D_LINE)
+        return numbers(trace(gem, tilt, medium, None, TILTED * error), frame_of(tilt)[2])
 
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         # The longest jobs first.
@@ -226,6 +150,7 @@ def analyse(
             pool.submit(scintillation, gem, bound=4 * bound, error=error),
             pool.submit(fire, gem, bound=3 * bound, error=0.3 * error),
         ]
+        tinted = pool.submit(coloured, gem, error=error) if colour else None
         straight = [pool.submit(trace, gem, medium=m, bound=bound, error=error) for m in (None, plain)[: 1 if plain is None else 2]]
         for done, (job, result) in enumerate(zip(jobs, pool.map(one, jobs), strict=True), 1):
             getattr(found, job[0]).setdefault(job[2], []).append(result)
@@ -233,6 +158,8 @@ def analyse(
                 progress(done / len(jobs))
         found.face_up.update(numbers(straight[0].result()))
         found.face_up["scintillation"], found.face_up["fire"] = (change.result() for change in changes)
+        if tinted:
+            found.coloured = tinted.result()
         if plain is not None:
             found.without = numbers(straight[1].result())
     if plain is not None:

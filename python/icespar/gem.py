@@ -108,6 +108,12 @@ class Gem:
             return self.mineral.medium(wavelength_nm, axes=self._principal()[:2])
         return self.mineral.medium(wavelength_nm)
 
+    def absorption(self, wavelength_nm: float = 589.3) -> NDArray[np.float64] | None:
+        """Of its colour at `width_mm`, per unit of length of `stone`, as `icespar.view` takes it; None without a colour."""
+        if self.mineral is None or not self.colour:
+            return None
+        return self.mineral.absorption(self.colour, wavelength_nm) * (self.width_mm / self._width())
+
     def isotropic(self, wavelength_nm: float = 589.3) -> Medium:
         """The mineral without birefringence: of the mean of its three principal indices."""
         return Medium.isotropic(self.mean_index(wavelength_nm))

@@ -9,9 +9,10 @@ import pathlib
 from collections.abc import Iterable
 
 from ._core import __version__
-from .analysis import HEAD, MEANING, SCOPE_HEAD, Analysis, Number
+from .analysis import Analysis
 from .cutting import cutting_table
 from .gem import Gem
+from .performance import HEAD, MEANING, SCOPE_HEAD, Number
 
 #: How a report names each number, and by which it is set out.
 TITLES = {
@@ -31,6 +32,7 @@ TITLES = {
     "idealscope_red": "Ideal-Scope red",
     "idealscope_black": "Ideal-Scope black",
     "idealscope_white": "Ideal-Scope white",
+    "absorbed": "Absorbed",
     "fire": "Fire",
     "scintillation": "Scintillation",
 }
@@ -74,6 +76,10 @@ def facts(gem: Gem) -> list[tuple[str, str]]:
     return rows
 
 
+def _names(found: Analysis) -> set[str]:
+    return set(found.face_up) | set(found.coloured.luminous if found.coloured else ())
+
+
 def as_dict(found: Analysis) -> dict:
     """Everything as plain numbers, for JSON; percent, millimetres, degrees."""
     gem, p = found.gem, found.gem.proportions
@@ -100,6 +106,18 @@ def as_dict(found: Analysis) -> dict:
         "face_up": pairs(found.face_up),
         "without_birefringence": pairs(found.without) if found.without else None,
         "effect_of_birefringence": pairs(found.effect) if found.without else None,
+        "coloured": None
+        if found.coloured is None
+        else {
+            "face_up": pairs(found.coloured.luminous),
+            "by_wavelength": [
+                {"nm": nm, "weight": weight, **pairs(numbers)}
+                for nm, weight, numbers in zip(
+                    found.coloured.wavelengths_nm, found.coloured.weights, found.coloured.by_wavelength, strict=True
+                )
+            ],
+            "curves": {axis: [pairs(n) for n in curve] for axis, curve in found.coloured_curves.items()},
+        },
         "tilts": found.tilts,
         "curves": {axis: [pairs(n) for n in curve] for axis, curve in found.curves.items()},
         "curves_without_birefringence": {axis: [pairs(n) for n in curve] for axis, curve in found.plain_curves.items()},
@@ -107,7 +125,7 @@ def as_dict(found: Analysis) -> dict:
             axis: [{"separation_mm": clean(d.separation_mm), "arc_minutes": clean(d.arc_minutes)} for d in curve]
             for axis, curve in found.doubled.items()
         },
-        "meaning": MEANING,
+        "meaning": {name: words for name, words in MEANING.items() if name in _names(found)},
     }
 
 
@@ -118,23 +136,25 @@ def json_text(analyses: Iterable[Analysis]) -> str:
 
 
 def csv_text(analyses: Iterable[Analysis]) -> str:
-    """One number a line: design, mineral, quantity, tilt about x and y in degrees, value, bound, standard error, unit."""
+    """One number a line: design, mineral, its colour if that is traced, quantity, tilt about x and y in degrees, value, bound,
+    standard error, unit."""
     out = io.StringIO()
     table = csv.writer(out, lineterminator="\n")
-    table.writerow(["design", "mineral", "birefringence", "quantity", "tilt_x", "tilt_y", "value", "bound", "error", "unit"])
+    table.writerow(["design", "mineral", "colour", "birefringence", "quantity", "tilt_x", "tilt_y", "value", "bound", "error", "unit"])
     for found in analyses:
         gem = found.gem
-        head = [gem.name, gem.mineral.id if gem.mineral else "", "yes" if gem.birefringent else "no"]
-        plain = [*head[:2], "no"]
+        subject, split = [gem.name, gem.mineral.id if gem.mineral else ""], "yes" if gem.birefringent else "no"
+        head, plain, tinted = [*subject, "", split], [*subject, "", "no"], [*subject, gem.colour, split]
         p = gem.proportions
         for name in ("length", "height", "crown", "girdle", "pavilion", "table", "volume", "block_yield"):
             table.writerow([*head, name, 0, 0, f"{getattr(p, name):.6f}", 0, 0, "W^3" if name == "volume" else "W"])
         if gem.carats is not None:
             table.writerow([*head, "weight", 0, 0, f"{gem.carats:.6f}", 0, 0, "ct"])
-        for who, numbers in ((head, found.face_up), (plain, found.without or {})):
+        colours = found.coloured.luminous if found.coloured else {}
+        for who, numbers in ((head, found.face_up), (plain, found.without or {}), (tinted, colours)):
             for name, number in numbers.items():
                 table.writerow([*who, name, 0, 0, *(f"{x:.5f}" for x in number), "%"])
-        for who, curves in ((head, found.curves), (plain, found.plain_curves)):
+        for who, curves in ((head, found.curves), (plain, found.plain_curves), (tinted, found.coloured_curves)):
             for axis, curve in curves.items():
                 for tilt, numbers in zip(found.tilts, curve, strict=True):
                     at = [tilt, 0] if axis == "x" else [0, tilt]
@@ -156,7 +176,16 @@ def label(gem: Gem) -> str:
 def table_text(analyses: list[Analysis]) -> str:
     """The numbers side by side, for a terminal."""
     heads = [label(found.gem) for found in analyses]
-    rows = [(title, [_number(found.face_up.get(name)) for found in analyses]) for name, title in TITLES.items()]
+    rows = [
+        (title, [_number(found.face_up.get(name)) for found in analyses])
+        for name, title in TITLES.items()
+        if any(name in found.face_up for found in analyses)
+    ]
+    rows += [
+        (f"{title}, coloured", [_number(found.coloured.luminous.get(name)) if found.coloured else "-" for found in analyses])
+        for name, title in TITLES.items()
+        if any(found.coloured and name in found.coloured.luminous for found in analyses)
+    ]
     measures = [dict(facts(found.gem)) for found in analyses]
     rows += [
         (name, [m.get(name, "-") for m in measures])
@@ -170,7 +199,7 @@ def table_text(analyses: list[Analysis]) -> str:
 
 
 def _number(number: Number | None) -> str:
-    """ "45.29 % ± 0.02": twice the standard error; or what may be missing, "45.29 % (+0.30)"."""
+    """ "45.29 % ± 0.02": twice the standard error; or, without a sample, what may be missing, "45.29 % (+0.30)"."""
     if number is None:
         return "-"
     if number.error < number.bound:
@@ -205,13 +234,14 @@ def html(analyses: list[Analysis], size: int = 280, spp: int = 24) -> str:
     return pages.get_template("report.html").render(
         gems=gems,
         titles=TITLES,
-        meaning=MEANING,
+        meaning={name: words for name, words in MEANING.items() if any(name in _names(found) for found in analyses)},
         number=_number,
         version=__version__,
         head=HEAD,
         scope_head=SCOPE_HEAD,
         doubled=_doubled,
         size=size,
+        coloured=any(found.coloured for found in analyses),
     )
 
 
@@ -241,7 +271,7 @@ def _diagram(gem: Gem) -> str:
 
 
 def _curves(found: Analysis) -> str:
-    """Light return, leakage and extinction over the tilt, about both axes; thin lines are without birefringence."""
+    """Light return, leakage and extinction over the tilt, about both axes; dotted without birefringence, dashed with the stone's colour."""
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=(9, 3.6), layout="constrained")
@@ -254,6 +284,9 @@ def _curves(found: Analysis) -> str:
             low, high = [n.value - 2 * n.error for n in values], [n.value + 2 * n.error for n in values]
             axes.fill_between(found.tilts, low, high, color=colour, alpha=0.35, linewidth=0)
             axes.plot(found.tilts, middle, color=colour, linewidth=1.4, label=TITLES[name])
+            if found.coloured_curves:
+                tinted = [numbers[name].value for numbers in found.coloured_curves[axis]]
+                axes.plot(found.tilts, tinted, color=colour, linewidth=1.0, linestyle="--")
             if found.plain_curves:
                 plain = [numbers[name][0] for numbers in found.plain_curves[axis]]
                 axes.plot(found.tilts, plain, color=colour, linewidth=0.7, linestyle=":")

@@ -47,7 +47,7 @@ def test_a_plate_is_a_window_of_what_two_faces_pass():
 @pytest.mark.parametrize("tilt", [(0.0, 0.0), (7.0, 0.0), (0.0, -12.0)])
 def test_all_light_comes_from_somewhere(brilliant, tilt):
     seen = analysis.trace(brilliant, tilt, bound=5e-3)
-    found = analysis.numbers(seen, analysis._frame(tilt)[2])
+    found = analysis.numbers(seen, analysis.frame_of(tilt)[2])
     rest, missing = 100 * seen.untraced, 100 * seen.residue
     value = {name: number.value for name, number in found.items()}
     assert value["iso"] + value["leakage"] + value["extinction"] == pytest.approx(100 - missing, abs=1e-6)
@@ -62,7 +62,7 @@ def test_all_light_comes_from_somewhere(brilliant, tilt):
 
 def test_tilting_a_symmetric_stone_either_way_is_the_same(brilliant):
     def iso(tilt):
-        return analysis.numbers(analysis.trace(brilliant, tilt, bound=5e-3), analysis._frame(tilt)[2])["iso"][0]
+        return analysis.numbers(analysis.trace(brilliant, tilt, bound=5e-3), analysis.frame_of(tilt)[2])["iso"][0]
 
     assert iso((10, 0)) == pytest.approx(iso((-10, 0)), abs=0.5)
     assert iso((0, 10)) == pytest.approx(iso((10, 0)), abs=0.5)  # eightfold
@@ -133,7 +133,7 @@ def test_a_picture_is_as_bright_as_the_numbers_say_whatever_the_axis_and_the_til
     """Two engines, and two ways from the design's frame to the viewer's."""
     gem, tilt, size = Gem.of(root / "scenes/designs/trilliant_quartz.asc", "calcite", axis=axis), (15.0, 8.0), 96
     seen = analysis.trace(gem, tilt, bound=1e-2)
-    value, _, error = analysis.numbers(seen, analysis._frame(tilt)[2])["sc2"]
+    value, _, error = analysis.numbers(seen, analysis.frame_of(tilt)[2])["sc2"]
     assert error < 0.05
     picture = gem.picture("sc2", tilt, size=size, error=None, spp=16, clear=True)
     side = 2 * 1.05 * np.linalg.norm(gem.stone.vertices, axis=1).max() / size
@@ -152,12 +152,12 @@ def call(program, root, tmp_path_factory):
     return run
 
 
-QUICK = ("--tilt", 10, "--step", 10, "--bound", 2, "--size", 16, "--spp", 1)
+QUICK = ("--tilt", 10, "--step", 10, "--bound", 2, "--error", 0.2, "--size", 16, "--spp", 1)
 
 
 def test_the_program_writes_a_page_that_stands_by_itself(call, root):
     done, folder = call(
-        "analyse", "trilliant_quartz.asc", "--mineral", "corundum", "--colour", "ruby", "--width", 8, *QUICK,
+        "analyse", "trilliant_quartz.asc", "--mineral", "corundum", "--colour", "ruby", "--width", 8, "--coloured", *QUICK,
         "-o", "r.html", "--json", "r.json", "--csv", "r.csv",
     )  # fmt: skip
     assert done.returncode == 0, done.stderr
@@ -170,10 +170,14 @@ def test_the_program_writes_a_page_that_stands_by_itself(call, root):
     numbers = json.loads((folder / "r.json").read_text())
     assert numbers["mineral"] == "corundum" and numbers["tilts"] == [-10, 0, 10]
     assert numbers["carats"] == pytest.approx(icespar.proportions(design.stone()).carats(8, 4.0))
-    assert set(numbers["face_up"]) == set(numbers["meaning"])
+    tinted = numbers["coloured"]
+    assert set(numbers["face_up"]) | set(tinted["face_up"]) == set(numbers["meaning"])
+    assert 0 < tinted["face_up"]["iso"]["value"] < numbers["face_up"]["iso"]["value"] and '<th class="n">ruby</th>' in page
     rows = list(csv.DictReader((folder / "r.csv").read_text().splitlines()))
-    assert {row["quantity"] for row in rows} >= {"iso", "leakage", "fire", "weight", "doubling"}
-    (iso,) = (r for r in rows if (r["quantity"], r["birefringence"], r["tilt_x"], r["tilt_y"]) == ("iso", "yes", "10.0", "0"))
+    assert {row["quantity"] for row in rows} >= {"iso", "leakage", "fire", "weight", "doubling", "absorbed"}
+    at = {(r["quantity"], r["colour"], r["birefringence"], r["tilt_x"], r["tilt_y"]): r for r in rows}
+    iso = at["iso", "", "yes", "10.0", "0"]
+    assert float(at["iso", "ruby", "yes", "10.0", "0"]["value"]) == pytest.approx(tinted["curves"]["x"][2]["iso"]["value"], abs=1e-5)
     assert float(iso["value"]) == pytest.approx(numbers["curves"]["x"][2]["iso"]["value"], abs=1e-5)
 
 
