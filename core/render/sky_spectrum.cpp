@@ -2,7 +2,9 @@
 #include "render/sky_spectrum.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 
 #include "render/lamp_edge.hpp"
 
@@ -12,6 +14,17 @@ namespace {
 std::size_t cells_for(std::size_t bands) {
     constexpr std::size_t enough = 64;
     return bands == 0 ? enough : bands * ((enough + bands - 1) / bands);
+}
+
+/// Four sums side by side, which the processor takes at once.
+double product(std::span<const double> a, std::span<const double> b) {
+    std::array<double, 4> sums{};
+    std::size_t i = 0;
+    for (; i + 4 <= a.size(); i += 4) {
+        for (std::size_t lane = 0; lane < 4; ++lane) sums[lane] += a[i + lane] * b[i + lane];
+    }
+    for (; i < a.size(); ++i) sums[0] += a[i] * b[i];
+    return (sums[0] + sums[1]) + (sums[2] + sums[3]);
 }
 
 }  // namespace
@@ -25,7 +38,11 @@ SkySpectrum::SkySpectrum(const Environment& sky, const Palette& palette,
       cells_(cells_for(static_cast<std::size_t>(bands))),
       lights_(2 + sky.discs.size()),
       radiance_(lights_ * cells_ * channels_),
-      seen_(components_ * lights_ * cells_) {
+      up_to_(lights_ * (cells_ + 1) * channels_),
+      lines_(components_ * lights_),
+      cell_light_(components_ * lights_ * cells_),
+      in_cells_(components_ * lights_),
+      sums_(components_ * channels_) {
     std::vector<const Emitter*> lights{&palette.below, &palette.above};
     for (const Emitter& e : palette.discs) lights.push_back(&e);
     const Bands layout{bands};
@@ -40,17 +57,30 @@ SkySpectrum::SkySpectrum(const Environment& sky, const Palette& palette,
             const auto draw = at((i + 0.5) / points);
             for (std::size_t l = 0; l < lights_; ++l) {
                 const double radiance = lights[l]->radiance(draw.wavelength_nm) / (points * whole);
-                double* channel = &radiance_[(l * cells_ + cell) * channels_];
-                for (std::size_t c = 0; c < 3; ++c) channel[c] += radiance * draw.rgb[c];
+                const auto channel = [&](std::size_t c) -> double& {
+                    return radiance_[(l * channels_ + c) * cells_ + cell];
+                };
+                for (std::size_t c = 0; c < 3; ++c) channel(c) += radiance * draw.rgb[c];
                 if (bands == 0) continue;
-                channel[3 + layout.of(draw.wavelength_nm)] +=
+                channel(3 + static_cast<std::size_t>(layout.of(draw.wavelength_nm))) +=
                     radiance * draw.per_density / layout.width();
+            }
+        }
+    }
+    for (std::size_t l = 0; l < lights_; ++l) {
+        for (std::size_t cell = 0; cell < cells_; ++cell) {
+            const Radiance* before = &up_to_[(l * (cells_ + 1) + cell) * channels_];
+            for (std::size_t c = 0; c < channels_; ++c) {
+                const double radiance = radiance_[(l * channels_ + c) * cells_ + cell];
+                up_to_[(l * (cells_ + 1) + cell + 1) * channels_ + c] = {
+                    before[c].whole + radiance, before[c].slope + radiance * colours_[cell]};
             }
         }
     }
 }
 
 double SkySpectrum::begin(int first, int last) {
+    end_piece();
     first_ = static_cast<std::size_t>(first);
     last_ = static_cast<std::size_t>(last);
     const double nm = wavelengths_.draw(0.5 * (first + last) / cells()).wavelength_nm;
@@ -58,11 +88,22 @@ double SkySpectrum::begin(int first, int last) {
     return nm;
 }
 
+void SkySpectrum::add_line(std::size_t light, const Stokes& value, const Stokes& slope) {
+    const double values[4] = {value.s0, value.s1, value.s2, value.s3};
+    const double slopes[4] = {slope.s0, slope.s1, slope.s2, slope.s3};
+    for (std::size_t c = 0; c < components_; ++c) {
+        Line& line = lines_[c * lights_ + light];
+        line.value += values[c];
+        line.slope += slopes[c];
+    }
+}
+
 template <class Part>
 void SkySpectrum::add_light(std::size_t light, const Stokes& response, const Part& part) {
     const double parts[4] = {response.s0, response.s1, response.s2, response.s3};
     for (std::size_t c = 0; c < components_; ++c) {
-        double* seen = &seen_[(c * lights_ + light) * cells_];
+        in_cells_[c * lights_ + light] = true;
+        double* seen = &cell_light_[(c * lights_ + light) * cells_];
         for (std::size_t i = first_; i < last_; ++i) {
             seen[i] += parts[c] * part(colours_[i] - middle_);
         }
@@ -72,35 +113,47 @@ void SkySpectrum::add_light(std::size_t light, const Stokes& response, const Par
 void SkySpectrum::add(const Expansion& k, const Vec3& fan, PolygonView polygon, double area,
                       const Stokes& response) {
     const double height = 0.5 * (1 + dot(k.value, sky_.up)), slope = 0.5 * dot(fan, sky_.up);
-    add_light(0, area * response, [&](double c) { return 1 - height - slope * c; });
-    add_light(1, area * response, [&](double c) { return height + slope * c; });
+    add_line(0, (area * (1 - height)) * response, (area * -slope) * response);
+    add_line(1, (area * height) * response, (area * slope) * response);
+    if (sky_.discs.empty()) return;
     constexpr int halvings = 8;
+    const double across = spread(k, polygon);
+    const double swing =
+        length(fan) * std::max(colours_[first_] - middle_, middle_ - colours_[last_ - 1]);
     for (std::size_t i = 0; i < sky_.discs.size(); ++i) {
-        add_lamp(i, k, fan, polygon, area, response, halvings);
+        add_lamp(i, k, fan, polygon, area, response, across, swing, halvings);
+    }
+}
+
+void SkySpectrum::add_mean(double weight) {
+    const Stokes half{0.5 * weight, 0, 0, 0};
+    add_line(0, half, {});
+    add_line(1, half, {});
+    for (std::size_t i = 0; i < sky_.discs.size(); ++i) {
+        add_line(2 + i, (1 - sky_.discs[i].cos_radius) * half, {});
     }
 }
 
 void SkySpectrum::add_lamp(std::size_t number, const Expansion& k, const Vec3& fan,
-                           PolygonView polygon, double area, const Stokes& response, int halvings) {
+                           PolygonView polygon, double area, const Stokes& response, double across,
+                           double swing, int halvings) {
     const Disc& disc = sky_.discs[number];
-    const double across = spread(k, polygon);
-    const double swing =
-        length(fan) * std::max(colours_[first_] - middle_, middle_ - colours_[last_ - 1]);
     const double inside = dot(k.value, disc.direction) - disc.cos_radius;
     if (inside <= -across - swing) return;
     const std::size_t light = 2 + number;
-    const auto all = [](double) { return 1.0; };
-    if (inside >= across + swing) return add_light(light, area * response, all);
+    if (inside >= across + swing) return add_line(light, area * response, {});
     constexpr double still = 0.1;
     if (swing < still * across) {
-        return add_light(light, lit_area(disc, k, polygon, area, halvings) * response, all);
+        return add_line(light, lit_area(disc, k, polygon, area, halvings) * response, {});
     }
     if (!edge_is_straight(disc, across) && halvings > 0) {
         Polygon half;
         for (const double side : {-1.0, 1.0}) {
             Expansion there = k;
             const double part = halve(there, polygon, side, half);
-            if (part > 0) add_lamp(number, there, fan, half, part, response, halvings - 1);
+            if (!(part > 0)) continue;
+            add_lamp(number, there, fan, half, part, response, spread(there, half), swing,
+                     halvings - 1);
         }
         return;
     }
@@ -120,14 +173,41 @@ void SkySpectrum::add_lamp(std::size_t number, const Expansion& k, const Vec3& f
               [&](double c) { return std::clamp(start + c * (rise - c * bend), 0.0, 1.0); });
 }
 
-void SkySpectrum::flush(Sampler& sampler) {
-    for (std::size_t i = 0; i < seen_.size(); ++i) {
-        if (seen_[i] == 0) continue;
-        const std::size_t per_component = lights_ * cells_;
-        sampler.see({&radiance_[i % per_component * channels_], channels_}, i / per_component,
-                    seen_[i]);
+void SkySpectrum::end_piece() {
+    for (std::size_t c = 0; c < components_; ++c) {
+        double* sums = &sums_[c * channels_];
+        for (std::size_t l = 0; l < lights_; ++l) {
+            Line& line = lines_[c * lights_ + l];
+            if (line.value == 0 && line.slope == 0) continue;
+            const Radiance* light = &up_to_[l * (cells_ + 1) * channels_];
+            const Radiance *from = light + first_ * channels_, *to = light + last_ * channels_;
+            const double at_zero = line.value - line.slope * middle_;
+            for (std::size_t i = 0; i < channels_; ++i) {
+                sums[i] += at_zero * (to[i].whole - from[i].whole) +
+                           line.slope * (to[i].slope - from[i].slope);
+            }
+            line = {};
+        }
     }
-    std::fill(seen_.begin(), seen_.end(), 0.0);
+}
+
+void SkySpectrum::flush(Sampler& sampler) {
+    end_piece();
+    for (std::size_t c = 0; c < components_; ++c) {
+        double* sums = &sums_[c * channels_];
+        for (std::size_t l = 0; l < lights_; ++l) {
+            if (!in_cells_[c * lights_ + l]) continue;
+            in_cells_[c * lights_ + l] = false;
+            double* seen = &cell_light_[(c * lights_ + l) * cells_];
+            for (std::size_t i = 0; i < channels_; ++i) {
+                sums[i] +=
+                    product({seen, cells_}, {&radiance_[(l * channels_ + i) * cells_], cells_});
+            }
+            std::fill_n(seen, cells_, 0.0);
+        }
+        sampler.see({sums, channels_}, c, 1);
+        std::fill_n(sums, channels_, 0.0);
+    }
 }
 
 }  // namespace icespar

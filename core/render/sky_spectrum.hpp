@@ -31,6 +31,9 @@ public:
     void add(const Expansion& k, const Vec3& fan, PolygonView polygon, double area,
              const Stokes& response);
 
+    /// Light of a beam that ended, for what the whole sky sheds on average.
+    void add_mean(double weight);
+
     /// Hands the sums to the sampler and starts anew.
     void flush(Sampler& sampler);
 
@@ -40,19 +43,35 @@ public:
     [[nodiscard]] static double wavelength_nm(double colour) { return 1e3 / std::sqrt(colour); }
 
 private:
-    void add_lamp(std::size_t light, const Expansion& k, const Vec3& fan, PolygonView polygon,
-                  double area, const Stokes& response, int halvings);
-    /// part(c) of the response, c being counted from the middle.
+    void add_lamp(std::size_t number, const Expansion& k, const Vec3& fan, PolygonView polygon,
+                  double area, const Stokes& response, double across, double swing, int halvings);
+    /// The response value + slope c, c being counted from the middle.
+    void add_line(std::size_t light, const Stokes& value, const Stokes& slope);
+    /// The response times part(c).
     template <class Part>
     void add_light(std::size_t light, const Stokes& response, const Part& part);
+    /// Lines of the piece to channels.
+    void end_piece();
+
+    /// Of light and colour: the sum over all cells below, of 1 and of c.
+    struct Radiance {
+        double whole = 0, slope = 0;
+    };
+    struct Line {
+        double value = 0, slope = 0;
+    };
 
     const Environment& sky_;
     const WavelengthSampler& wavelengths_;
     std::size_t components_, channels_, cells_;
-    std::size_t lights_;            ///< below, above, then the discs
-    std::vector<double> colours_;   ///< of cells
-    std::vector<double> radiance_;  ///< [light][cell][channel]
-    std::vector<double> seen_;      ///< [component][light][cell]
+    std::size_t lights_;              ///< below, above, then the discs
+    std::vector<double> colours_;     ///< of cells
+    std::vector<double> radiance_;    ///< [light][channel][cell]
+    std::vector<Radiance> up_to_;     ///< [light][cell, and the end][channel]
+    std::vector<Line> lines_;         ///< [component][light]: of this piece
+    std::vector<double> cell_light_;  ///< [component][light][cell]: what is no line
+    std::vector<char> in_cells_;      ///< [component][light]: there is such
+    std::vector<double> sums_;        ///< [component][channel]
     std::size_t first_ = 0, last_ = 0;
     double middle_ = 0;
 };

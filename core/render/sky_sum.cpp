@@ -10,10 +10,12 @@ void SkySum::add(const Expansion& k, PolygonView polygon, double area, const Sto
     below_ += (area * (1 - height)) * response;
     above_ += (area * height) * response;
     if (discs_.empty()) return;
+    const double across = spread(k, polygon);
     for (std::size_t i = 0; i < discs_.size(); ++i) {
         const Disc& disc = sky_.discs[i];
-        const double part = lit_area(disc, k, polygon, area);
-        if (part != 0) discs_[i] += part * response;
+        const double inside = dot(k.value, disc.direction) - disc.cos_radius;
+        if (inside <= -across) continue;
+        discs_[i] += (inside >= across ? area : lit_area(disc, k, polygon, area)) * response;
     }
 }
 
