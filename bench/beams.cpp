@@ -78,6 +78,19 @@ Shot picture(const Scene& scene, int size, int samples, std::uint64_t seed, Engi
             r.report.error};
 }
 
+/// Of luminances, whose error a render tells.
+double luminance_rms(const Shot& x, const Shot& a, const Shot& b) {
+    const auto luminance = [](const Shot& s, std::size_t i) {
+        return xyz_from_rgb({s.rgb[i], s.rgb[i + 1], s.rgb[i + 2]})[1];
+    };
+    double sum = 0;
+    for (std::size_t i = 0; i < x.rgb.size(); i += 3) {
+        const double y = luminance(x, i);
+        sum += (y - luminance(a, i)) * (y - luminance(b, i));
+    }
+    return std::sqrt(std::max(0.0, 3 * sum / static_cast<double>(x.rgb.size())));
+}
+
 double rms(const Shot& x, const Shot& a, const Shot& b) {
     double sum = 0;
     for (std::size_t i = 0; i < x.rgb.size(); ++i) {
@@ -105,13 +118,14 @@ int main(int argc, char** argv) {
     double mean = 0;
     for (const float v : a.rgb) mean += v / static_cast<double>(a.rgb.size());
     std::printf("# reference %.2f s, mean %.4f\n", a.seconds, mean);
-    std::printf("kind,engine,samples,cpu_seconds,rmse,estimated_rmse,events,ns_per_event\n");
+    std::printf(
+        "kind,engine,samples,cpu_seconds,rmse,luminance_rmse,estimated_rmse,events,ns_per_event\n");
     for (int samples = 1; samples <= 1 << doublings; samples *= 2) {
         const Shot p = picture(scene, size, samples, static_cast<std::uint64_t>(samples),
                                rays ? Engine::rays : Engine::beams, stokes);
-        std::printf("%s,%s,%d,%.3f,%.5f,%.5f,%.0f,%.0f\n", kind.c_str(), rays ? "rays" : "beams",
-                    samples, p.seconds, rms(p, a, b), p.error * mean, p.events,
-                    1e9 * p.seconds / p.events);
+        std::printf("%s,%s,%d,%.3f,%.5f,%.5f,%.5f,%.0f,%.0f\n", kind.c_str(),
+                    rays ? "rays" : "beams", samples, p.seconds, rms(p, a, b),
+                    luminance_rms(p, a, b), p.error * mean, p.events, 1e9 * p.seconds / p.events);
         std::fflush(stdout);
     }
 }

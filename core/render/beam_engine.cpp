@@ -39,7 +39,7 @@ BeamScene::BeamScene(const World& world, const Needs& needs, int width, int heig
 
 BeamScene::~BeamScene() = default;
 
-bool BeamScene::tells_error() const { return !needs_.surroundings && !needs_.wavelengths; }
+bool BeamScene::tells_error() const { return !needs_.surroundings; }
 
 int BeamScene::stone_at(int x, int y) const {
     int found = -1;
@@ -170,7 +170,7 @@ public:
         if (needs_.surroundings) {
             follow_wavelengths(crystal, seed);
         } else {
-            follow_spectrum(crystal, seed);
+            return follow_spectrum(crystal, seed);
         }
         return -1;
     }
@@ -188,8 +188,8 @@ public:
         return most == 0 || hits < most;
     }
     void lose(double weight) { sampler_->dropped += share_ * weight; }
-    void open() { opened_ = sky_.luminance(lights_); }
-    void close(int hits) { roulette_.saw(hits, sky_.luminance(lights_) - opened_); }
+    void open() { opened_ = luminance(); }
+    void close(int hits) { roulette_.saw(hits, luminance() - opened_); }
     void see(const Leaf<Response>& leaf) {
         if (spectral_) {
             spectrum_->add(leaf.k, leaf.fan, leaf.polygon, leaf.area, leaf.response.unpolarised());
@@ -210,11 +210,12 @@ public:
 
 private:
     /// Below a sky each path is that of a piece of the spectrum (bench/beams.cpp).
-    void follow_spectrum(const Crystal& crystal, std::uint64_t seed) {
+    double follow_spectrum(const Crystal& crystal, std::uint64_t seed) {
+        double variance = 0;
         spectral_ = true;
         const int pieces = std::max(1, static_cast<int>(std::lround(0.25 * std::sqrt(samples_))));
         const int cells = spectrum_->cells();
-        const double shift = sampler_->uniform() - 0.5;
+        const double shift = 0.5 * (sampler_->uniform() - 0.5);
         int first = 0;
         for (int i = 0; i < pieces; ++i) {
             const int last = i + 1 == pieces
@@ -224,10 +225,12 @@ private:
             roulette_.begin(mixed(seed + static_cast<unsigned>(i)),
                             std::min(1.0, threshold_ / (pieces * share_)));
             trace_stone(crystal, spectrum_->begin(first, last));
+            variance += roulette_.variance();
             first = last;
         }
         spectrum_->flush(*sampler_);
         spectral_ = false;
+        return variance;
     }
 
     /// Where light goes on as rays each wavelength has paths of its own.
@@ -255,6 +258,10 @@ private:
         if (!dispersive_) sampler_->at_wavelength(sampler_->uniform());
         b.scale(share);
         walker_.walk(b, sampler_->wavelength_nm(), *sampler_);
+    }
+
+    [[nodiscard]] double luminance() const {
+        return spectral_ ? spectrum_->luminance() : sky_.luminance(lights_);
     }
 
     void trace_stone(const Crystal& crystal, double nm) {

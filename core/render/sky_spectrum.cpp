@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <span>
 
 #include "render/lamp_edge.hpp"
@@ -32,7 +33,6 @@ double product(std::span<const double> a, std::span<const double> b) {
 SkySpectrum::SkySpectrum(const Environment& sky, const Palette& palette,
                          const WavelengthSampler& wavelengths, int bands, int components)
     : sky_(sky),
-      wavelengths_(wavelengths),
       components_(static_cast<std::size_t>(components)),
       channels_(static_cast<std::size_t>(3 + bands)),
       cells_(cells_for(static_cast<std::size_t>(bands))),
@@ -42,7 +42,9 @@ SkySpectrum::SkySpectrum(const Environment& sky, const Palette& palette,
       lines_(components_ * lights_),
       cell_light_(components_ * lights_ * cells_),
       in_cells_(components_ * lights_),
-      sums_(components_ * channels_) {
+      sums_(components_ * channels_),
+      brightness_(lights_ * cells_),
+      in_piece_(lights_) {
     std::vector<const Emitter*> lights{&palette.below, &palette.above};
     for (const Emitter& e : palette.discs) lights.push_back(&e);
     const Bands layout{bands};
@@ -53,6 +55,7 @@ SkySpectrum::SkySpectrum(const Environment& sky, const Palette& palette,
             return wavelengths.draw((static_cast<double>(cell) + part) / whole);
         };
         colours_.push_back(colour(at(0.5).wavelength_nm));
+        sight_.push_back(xyz_from_rgb(at(0.5).rgb)[1]);
         for (int i = 0; i < points; ++i) {
             const auto draw = at((i + 0.5) / points);
             for (std::size_t l = 0; l < lights_; ++l) {
@@ -67,11 +70,17 @@ SkySpectrum::SkySpectrum(const Environment& sky, const Palette& palette,
             }
         }
     }
+    const double even = std::accumulate(sight_.begin(), sight_.end(), 0.0) / whole;
+    for (double& s : sight_) s = 2 * s / 3 + even / 3;
     for (std::size_t l = 0; l < lights_; ++l) {
         for (std::size_t cell = 0; cell < cells_; ++cell) {
+            const auto channel = [&](std::size_t c) {
+                return radiance_[(l * channels_ + c) * cells_ + cell];
+            };
+            brightness_[l * cells_ + cell] = xyz_from_rgb({channel(0), channel(1), channel(2)})[1];
             const Radiance* before = &up_to_[(l * (cells_ + 1) + cell) * channels_];
             for (std::size_t c = 0; c < channels_; ++c) {
-                const double radiance = radiance_[(l * channels_ + c) * cells_ + cell];
+                const double radiance = channel(c);
                 up_to_[(l * (cells_ + 1) + cell + 1) * channels_ + c] = {
                     before[c].whole + radiance, before[c].slope + radiance * colours_[cell]};
             }
@@ -83,12 +92,21 @@ double SkySpectrum::begin(int first, int last) {
     end_piece();
     first_ = static_cast<std::size_t>(first);
     last_ = static_cast<std::size_t>(last);
-    const double nm = wavelengths_.draw(0.5 * (first + last) / cells()).wavelength_nm;
-    middle_ = colour(nm);
-    return nm;
+    double whole = 0, sum = 0;
+    for (std::size_t cell = first_; cell < last_; ++cell) {
+        whole += sight_[cell];
+        sum += sight_[cell] * colours_[cell];
+    }
+    middle_ = sum / whole;
+    for (std::size_t l = 0; l < lights_; ++l) {
+        const auto from = brightness_.begin() + static_cast<std::ptrdiff_t>(l * cells_);
+        in_piece_[l] = std::accumulate(from + first, from + last, 0.0);
+    }
+    return wavelength_nm(middle_);
 }
 
 void SkySpectrum::add_line(std::size_t light, const Stokes& value, const Stokes& slope) {
+    luminance_ += value.s0 * in_piece_[light];
     const double values[4] = {value.s0, value.s1, value.s2, value.s3};
     const double slopes[4] = {slope.s0, slope.s1, slope.s2, slope.s3};
     for (std::size_t c = 0; c < components_; ++c) {
@@ -100,6 +118,11 @@ void SkySpectrum::add_line(std::size_t light, const Stokes& value, const Stokes&
 
 template <class Part>
 void SkySpectrum::add_light(std::size_t light, const Stokes& response, const Part& part) {
+    const double* brightness = &brightness_[light * cells_];
+    double bright = 0;
+    for (std::size_t i = first_; i < last_; ++i)
+        bright += brightness[i] * part(colours_[i] - middle_);
+    luminance_ += response.s0 * bright;
     const double parts[4] = {response.s0, response.s1, response.s2, response.s3};
     for (std::size_t c = 0; c < components_; ++c) {
         in_cells_[c * lights_ + light] = true;
@@ -193,6 +216,7 @@ void SkySpectrum::end_piece() {
 
 void SkySpectrum::flush(Sampler& sampler) {
     end_piece();
+    luminance_ = 0;
     for (std::size_t c = 0; c < components_; ++c) {
         double* sums = &sums_[c * channels_];
         for (std::size_t l = 0; l < lights_; ++l) {
