@@ -46,18 +46,22 @@ Vec3 without_phase(const CVec3& E) {
 
 struct FaceSolver {
     template <class T>
+    using Waves = std::array<LocalWave<T>, 2>;
+
+    /// Far: real where all the far medium's waves propagate, complex elsewhere.
+    template <class Far, class Near>
     static void solve(Interface& face, const FaceMedium& from, const FaceMedium& to,
-                      const std::array<LocalWave<T>, 2>& incident) {
-        const auto reflected = waves_towards<T>(from, -1);
-        const auto transmitted = waves_towards<T>(to, +1);
+                      const Waves<Near>& incident) {
+        const auto reflected = waves_towards<Near>(from, -1);
+        const auto transmitted = waves_towards<Far>(to, +1);
         store(face.reflected_, reflected, -1);
         store(face.transmitted_, transmitted, +1);
         face.flux_in_ = {incident[0].flux, incident[1].flux};
-        if constexpr (std::is_same_v<T, Complex>) {
+        if constexpr (std::is_same_v<Far, Complex>) {
             if (merging(to, +1)) {
                 const MergedPair away(to, +1), probe(to, -1);
-                match<T>(face, incident, reflected, {away.ordinary, away.partner},
-                         {probe.ordinary, probe.partner});
+                match(face, incident, reflected, Waves<Far>{away.ordinary, away.partner},
+                      Waves<Far>{probe.ordinary, probe.partner});
                 for (std::size_t m = 0; m < 2; ++m) {
                     auto& t = face.transmit_[m];
                     sum(away, t, face.summed_[m].data() + 12);
@@ -67,7 +71,7 @@ struct FaceSolver {
                 return;
             }
         }
-        match<T>(face, incident, reflected, transmitted, waves_towards<T>(to, -1));
+        match(face, incident, reflected, transmitted, waves_towards<Far>(to, -1));
     }
 
     /// E and H of a pair together, while its amplitudes are still finite.
@@ -83,10 +87,8 @@ struct FaceSolver {
     }
 
     /// `probe`: the waves of the far medium that come towards the face.
-    template <class T>
-    using Waves = std::array<LocalWave<T>, 2>;
-    template <class T>
-    static void match(Interface& face, const Waves<T>& incident, const Waves<T>& reflected,
+    template <class Near, class T>
+    static void match(Interface& face, const Waves<Near>& incident, const Waves<Near>& reflected,
                       const Waves<T>& transmitted, const Waves<T>& probe) {
         T reflect[2][2], transmit[2][2];
         for (std::size_t j = 0; j < 2; ++j) {
@@ -96,8 +98,8 @@ struct FaceSolver {
             }
         }
         for (std::size_t m = 0; m < 2; ++m) {
-            const auto r = solved<T>(reflect, -pairing(probe[0], incident[m]),
-                                     -pairing(probe[1], incident[m]));
+            const auto r = solved<T>(reflect, T(-pairing(probe[0], incident[m])),
+                                     T(-pairing(probe[1], incident[m])));
             const T self = pairing(incident[m], incident[m]);
             const auto t = solved<T>(transmit, m == 0 ? self : T(0), m == 1 ? self : T(0));
             face.reflect_[m] = {r.first, r.second};
@@ -162,10 +164,12 @@ Interface::Interface(const Medium& from, const Medium& to, const Vec3& normal, c
         return from.birefringent ? incident_waves<T>(near, E, frame.kn, extraordinary)
                                  : waves_towards<T>(near, +1);
     };
-    if (near.all_real() && far.all_real()) {
+    if (!near.all_real()) {
+        FaceSolver::solve<Complex>(*this, near, far, arriving(Complex{}));
+    } else if (far.all_real()) {
         FaceSolver::solve<double>(*this, near, far, arriving(double{}));
     } else {
-        FaceSolver::solve<Complex>(*this, near, far, arriving(Complex{}));
+        FaceSolver::solve<Complex>(*this, near, far, arriving(double{}));
     }
 }
 
@@ -232,10 +236,21 @@ Vec3 Interface::real_ray(const Side& side, const MediumCore& medium, std::size_t
     return (inverse * flow.x) * x_ + (inverse * flow.y) * y_ + (inverse * flow.z) * normal_;
 }
 
+Vec3 Interface::evanescent_ray(const Side& side, const MediumCore& medium, std::size_t i) const {
+    if (!medium.birefringent) return x_;
+    const CVec3& E = side.E[i];
+    const Complex q = side.q[i];
+    const CVec3 H{-q * E.y, q * E.x - kt_ * E.z, kt_ * E.y};
+    const Vec3 flow = real(cross(E, conj(H)));
+    const double size = length(flow);
+    return size > 0 ? (flow.x / size) * x_ + (flow.y / size) * y_ + (flow.z / size) * normal_ : x_;
+}
+
 Vec3 Interface::ray(bool transmitted, std::size_t i) const {
     const Side& side = transmitted ? transmitted_ : reflected_;
     const MediumCore& medium = transmitted ? to_ : from_;
-    if (!side.propagating[i] || general_) return built(side, medium, i).ray;
+    if (general_) return built(side, medium, i).ray;
+    if (!side.propagating[i]) return evanescent_ray(side, medium, i);
     return real_ray(side, medium, i, kt_.real() * x_ + side.q[i].real() * normal_);
 }
 
@@ -261,9 +276,13 @@ Wave Interface::built(const Side& side, const MediumCore& medium, std::size_t i)
     w.H = medium.magnetic_field(w.k, w.E);
     const Vec3 k = real(w.k);
     w.n_phase = length(k);
-    const Vec3 flow = real(cross(w.E, conj(w.H)));
-    const double size = length(flow);
-    w.ray = size > 0 ? flow / size : x_;
+    if (general_) {
+        const Vec3 flow = real(cross(w.E, conj(w.H)));
+        const double size = length(flow);
+        w.ray = size > 0 ? flow / size : x_;
+    } else {
+        w.ray = evanescent_ray(side, medium, i);
+    }
     w.n_ray = dot(k, w.ray);
     return w;
 }

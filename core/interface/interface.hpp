@@ -92,6 +92,9 @@ private:
     /// Of a propagating wave, where all is real.
     [[nodiscard]] Vec3 real_ray(const Side& side, const MediumCore& medium, std::size_t i,
                                 const Vec3& k) const;
+    /// Of an evanescent wave of a transparent medium, along the face.
+    [[nodiscard]] Vec3 evanescent_ray(const Side& side, const MediumCore& medium,
+                                      std::size_t i) const;
 
     MediumCore from_, to_;
     Vec3 x_, y_, normal_;

@@ -22,8 +22,8 @@ struct LocalWave {
     bool propagating = true;
 };
 
-template <class T>
-T pairing(const LocalWave<T>& a, const LocalWave<T>& b) {
+template <class A, class B>
+auto pairing(const LocalWave<A>& a, const LocalWave<B>& b) {
     return a.E.x * b.hy - a.E.y * b.hx + b.E.x * a.hy - b.E.y * a.hx;
 }
 
