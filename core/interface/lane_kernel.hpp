@@ -57,8 +57,9 @@ struct Kernel {
         return m.eps_o * k + ((m.eps_e - m.eps_o) * dot(k, m.axis)) * m.axis;
     }
 
-    /// `flow` gives the direction of a propagating wave's energy from its k.
-    template <class T, class Flow>
+    /// `flow` gives the direction of a propagating wave's energy from its k. An evanescent wave of
+    /// an isotropic medium flows along x.
+    template <bool isotropic = false, class T, class Flow>
     void write(const Group<V>& group, const Frame<V>& frame, const FaceWave<T, V>& wave,
                const Mask<V>& propagating, const Flow& flow, const WaveColumns& to) const {
         const bool ray_wanted = wanted(to.ray) || to.n_ray.data;
@@ -71,7 +72,8 @@ struct Kernel {
                 Vector3<V> ray = unit(flow(k));
                 if constexpr (!std::is_same_v<T, V>) {
                     if (!all_of(propagating)) {
-                        ray = select<V>(propagating, ray, mean_flow(frame, wave));
+                        ray = select<V>(propagating, ray,
+                                        isotropic ? frame.x : mean_flow(frame, wave));
                     }
                 }
                 group.store(to.ray, ray);
@@ -138,46 +140,57 @@ struct Kernel {
             const auto propagating = [&](const auto& m, bool uniaxial) {
                 return uniaxial && i == 1 ? m.real_e : m.real_o;
             };
-            write(
+            write<!from_uniaxial>(
                 group, frame, s.reflected[i], propagating(near, from_uniaxial),
                 [&](const Vector3<V>& k) { return energy_flow<from_uniaxial>(from, k, i); }, r);
-            write(
+            write<!to_uniaxial>(
                 group, frame, s.transmitted[i], propagating(far, to_uniaxial),
                 [&](const Vector3<V>& k) { return energy_flow<to_uniaxial>(to, k, i); }, t);
         }
     }
 
-    /// A wave of a face that does not mix s and p.
+    /// Both waves of one side of a face that does not mix s and p. In isotropic media they have the
+    /// same direction.
     template <bool uniaxial>
-    [[gnu::always_inline]] void write_upright(const Group<V>& group, const MediumLanes<V>& medium,
-                                              const Vector3<V>& kt, const Vector3<V>& normal,
-                                              const V& square, const V& sign, std::size_t i,
-                                              const WaveColumns& to) const {
-        const Mask<V> propagating = square > V(0);
-        group.store(to.propagating, to.propagating_stride, propagating);
-        const bool ray_wanted = wanted(to.ray) || to.n_ray.data;
-        if (!ray_wanted && !wanted(to.k) && !to.n_phase.data) return;
-        const V q = sign * sqrt(abs(square)), q_real = select<V>(propagating, q, V(0));
-        const Vector3<V> k = kt + q_real * normal;
-        group.store(to.k.real, k);
-        if (wanted(to.k.imag)) group.store(to.k.imag, (q - q_real) * normal);
-        if (to.n_phase.data) group.store(to.n_phase, sqrt(norm_of(k)));
-        if (!ray_wanted) return;
-        Vector3<V> ray;
-        if constexpr (uniaxial) {
-            ray = unit(select<V>(propagating, energy_flow<uniaxial>(medium, k, i), kt));
-        } else {
-            ray = (medium.inverse_o * medium.n_o) * k;
-            if (!all_of(propagating)) ray = select<V>(propagating, ray, unit(kt));
+    void write_upright(const Group<V>& group, const MediumLanes<V>& medium, const Vector3<V>& kt,
+                       const Vector3<V>& normal, const std::array<V, 2>& squares, const V& sign,
+                       const std::array<WaveColumns, 2>& to) const {
+        const auto ray_wanted = [](const WaveColumns& c) { return wanted(c.ray) || c.n_ray.data; };
+        const bool rays = ray_wanted(to[0]) || ray_wanted(to[1]);
+        const bool any =
+            rays || wanted(to[0].k) || wanted(to[1].k) || to[0].n_phase.data || to[1].n_phase.data;
+        for (std::size_t i = 0; i < 2; ++i) {
+            group.store(to[i].propagating, to[i].propagating_stride, squares[i] > V(0));
         }
-        group.store(to.ray, ray);
-        if (to.n_ray.data) group.store(to.n_ray, dot(k, ray));
+        if (!any) return;
+        V q, q_real;
+        Vector3<V> k, ray;
+        for (std::size_t i = 0; i < 2; ++i) {
+            const Mask<V> propagating = squares[i] > V(0);
+            if (uniaxial || i == 0) {
+                q = sign * sqrt(abs(squares[i]));
+                q_real = select<V>(propagating, q, V(0));
+                k = kt + q_real * normal;
+            }
+            if constexpr (uniaxial) {
+                if (rays) ray = unit(select<V>(propagating, energy_flow<true>(medium, k, i), kt));
+            } else if (rays && i == 0) {
+                ray = (medium.inverse_o * medium.n_o) * k;
+                if (!all_of(propagating)) ray = select<V>(propagating, ray, unit(kt));
+            }
+            group.store(to[i].k.real, k);
+            if (wanted(to[i].k.imag)) group.store(to[i].k.imag, (q - q_real) * normal);
+            if (to[i].n_phase.data) group.store(to[i].n_phase, sqrt(norm_of(k)));
+            group.store(to[i].ray, ray);
+            if (to[i].n_ray.data) group.store(to[i].n_ray, dot(k, ray));
+        }
     }
 
     /// Whether both media are isotropic or stand upright on the face; then solves it.
     template <bool from_uniaxial, bool to_uniaxial>
-    bool fresnel_group(const Group<V>& group, const MediumLanes<V>& from, const MediumLanes<V>& to,
-                       const Vector3<V>& normal, const Incident<V, from_uniaxial>& in) const {
+    [[gnu::flatten]] bool fresnel_group(const Group<V>& group, const MediumLanes<V>& from,
+                                        const MediumLanes<V>& to, const Vector3<V>& normal,
+                                        const Incident<V, from_uniaxial>& in) const {
         if constexpr (from_uniaxial) {
             if (!all_of(parallel(from.axis, normal))) return false;
         }
@@ -212,9 +225,9 @@ struct Kernel {
             group.store(r.amplitude_imag, own ? f.r_imag : zero);
             group.store(t.amplitude_real, own ? f.t_real : zero);
             group.store(t.amplitude_imag, own ? f.t_imag : zero);
-            write_upright<from_uniaxial>(group, from, kt, normal, near.q2[i], V(-1), i, r);
-            write_upright<to_uniaxial>(group, to, kt, normal, far.q2[i], V(1), i, t);
         }
+        write_upright<from_uniaxial>(group, from, kt, normal, near.q2, V(-1), result.reflected);
+        write_upright<to_uniaxial>(group, to, kt, normal, far.q2, V(1), result.transmitted);
         return true;
     }
 
