@@ -106,7 +106,7 @@ void solve_one(const FaceBatch& faces, const BatchResult& wanted, std::size_t i)
     try {
         solve_face(faces, wanted, i);
     } catch (const Error& error) {
-        throw Error("direction[" + std::to_string(i) + "]: " + error.what());
+        throw Error("direction[" + std::to_string(faces.first + i) + "]: " + error.what());
     }
 }
 

@@ -50,6 +50,7 @@ struct FaceBatch {
     Mode mode = Mode::s;
     By by = By::wave_normal;
     Precision precision = Precision::full;
+    std::size_t first = 0;  ///< what errors call face 0
 };
 
 /// One wave of each face, as in Wave; the incident one has amplitude and power 1.

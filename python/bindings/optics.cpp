@@ -159,16 +159,94 @@ private:
     std::set<std::string> names_;
 };
 
+/// Columns from row i on.
+ResultColumn after(ResultColumn c, std::size_t i) {
+    if (c.data) c.data += static_cast<std::ptrdiff_t>(i) * c.stride;
+    return c;
+}
+VectorResult after(const VectorResult& v, std::size_t i) {
+    return {after(v.x, i), after(v.y, i), after(v.z, i)};
+}
+ComplexResult after(const ComplexResult& v, std::size_t i) {
+    return {after(v.real, i), after(v.imag, i)};
+}
+WaveColumns after(const WaveColumns& w, std::size_t i) {
+    const std::ptrdiff_t step = static_cast<std::ptrdiff_t>(i) * w.propagating_stride;
+    return {after(w.power, i),
+            after(w.amplitude_real, i),
+            after(w.amplitude_imag, i),
+            after(w.ray, i),
+            after(w.k, i),
+            after(w.E, i),
+            after(w.H, i),
+            after(w.n_phase, i),
+            after(w.n_ray, i),
+            w.propagating ? w.propagating + step : nullptr,
+            w.propagating_stride};
+}
+TotalColumns after(const TotalColumns& t, std::size_t i) {
+    return {after(t.power, i), after(t.E, i), after(t.H, i)};
+}
+BatchResult after(const BatchResult& r, std::size_t i) {
+    return {after(r.incident, i),
+            {after(r.reflected[0], i), after(r.reflected[1], i)},
+            {after(r.transmitted[0], i), after(r.transmitted[1], i)},
+            after(r.reflected_total, i),
+            after(r.transmitted_total, i)};
+}
+
+/// Rows of (N, 3), or one for all, as unit vectors in columns, a share at a time.
+class UnitColumns {
+public:
+    UnitColumns(const Doubles& rows, const char* name) : at_(rows.data()) {
+        if (rows.ndim() != 2 || rows.shape(1) != 3) {
+            throw py::value_error(std::string(name) + ": shape (N, 3) is needed");
+        }
+        count_ = static_cast<std::size_t>(rows.shape(0));
+    }
+
+    [[nodiscard]] std::size_t count() const { return count_; }
+
+    [[nodiscard]] VectorColumn share(std::size_t first, std::size_t count,
+                                     std::vector<double>& memory) const {
+        const bool one = count_ == 1;
+        const std::size_t n = one ? 1 : count;
+        memory.resize(3 * n);
+        double *const x = memory.data(), *const y = x + n, *const z = y + n;
+        const double* v = at_ + (one ? 0 : 3 * first);
+        for (std::size_t i = 0; i < n; ++i, v += 3) {
+            const double size = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+            x[i] = v[0] / size;
+            y[i] = v[1] / size;
+            z[i] = v[2] / size;
+        }
+        const std::ptrdiff_t stride = one ? 0 : 1;
+        return {{x, stride}, {y, stride}, {z, stride}};
+    }
+
+private:
+    const double* at_;
+    std::size_t count_;
+};
+
 /// Shares a batch out over threads; the error of the first ray at fault is thrown.
-void solve_in_threads(const FaceBatch& faces, const BatchResult& wanted, std::size_t threads) {
+void solve_in_threads(const FaceBatch& faces, const UnitColumns& normals,
+                      const UnitColumns& directions, const BatchResult& wanted,
+                      std::size_t threads) {
     constexpr std::size_t share = 4096;
     const std::size_t shares = (faces.count + share - 1) / share;
     std::vector<std::exception_ptr> errors(shares);
     std::atomic<std::size_t> next = 0;
     const auto work = [&] {
+        std::vector<double> of_normal, of_direction;
         for (std::size_t i = next++; i < shares; i = next++) {
             try {
-                solve_batch(faces, wanted, i * share, std::min(faces.count, (i + 1) * share));
+                FaceBatch part = faces;
+                part.first = i * share;
+                part.count = std::min(share, faces.count - part.first);
+                part.normal = normals.share(part.first, part.count, of_normal);
+                part.direction = directions.share(part.first, part.count, of_direction);
+                solve_batch(part, after(wanted, part.first), 0, part.count);
             } catch (...) {
                 errors[i] = std::current_exception();
             }
@@ -184,30 +262,33 @@ void solve_in_threads(const FaceBatch& faces, const BatchResult& wanted, std::si
     }
 }
 
+/// Whether all rows can be divided by their lengths: finite, with squares that neither overflow nor
+/// vanish.
+bool have_lengths(const Doubles& rows) {
+    const double* v = rows.data();
+    bool all = true;
+    for (py::ssize_t i = 0; i < rows.size(); i += 3) {
+        const double square = v[i] * v[i] + v[i + 1] * v[i + 1] + v[i + 2] * v[i + 2];
+        all = all && square > 1e-200 && square < 1e200;
+    }
+    return all;
+}
+
 py::tuple solve_interface(const Medium& medium1, const Medium& medium2, const Doubles& normals,
                           const Doubles& directions, By by, Mode mode, std::set<std::string> names,
                           std::size_t threads, bool single) {
-    const auto columns = [](const Doubles& rows, const char* name) {
-        if (rows.ndim() != 2 || rows.shape(1) != 3) {
-            throw py::value_error(std::string(name) + ": shape (N, 3) is needed");
-        }
-        const double* const at = rows.data();
-        const py::ssize_t stride = rows.shape(0) == 1 ? 0 : 3;
-        return VectorColumn{{at, stride}, {at + 1, stride}, {at + 2, stride}};
-    };
-    const VectorColumn n = columns(normals, "normal"), d = columns(directions, "direction");
-    const py::ssize_t count = normals.shape(0) == 1 ? directions.shape(0) : normals.shape(0);
-    if (directions.shape(0) != 1 && directions.shape(0) != count) {
+    const UnitColumns n(normals, "normal"), d(directions, "direction");
+    const std::size_t count = n.count() == 1 ? d.count() : n.count();
+    if (d.count() != 1 && d.count() != count) {
         throw py::value_error("normal and direction differ in length");
     }
-    const FaceBatch faces{.count = static_cast<std::size_t>(count),
-                          .from = {&medium1},
-                          .to = {&medium2},
-                          .normal = n,
-                          .direction = d,
-                          .mode = mode,
-                          .by = by,
-                          .precision = single ? Precision::single : Precision::full};
+    FaceBatch faces;
+    faces.count = count;
+    faces.from = {&medium1};
+    faces.to = {&medium2};
+    faces.mode = mode;
+    faces.by = by;
+    if (single) faces.precision = Precision::single;
     Results results(faces.count, std::move(names));
     BatchResult wanted;
     py::dict incident = results.waves({&wanted.incident}, 0),
@@ -217,7 +298,7 @@ py::tuple solve_interface(const Medium& medium1, const Medium& medium2, const Do
     results.totals(wanted.transmitted_total, transmitted);
     {
         const py::gil_scoped_release unlocked;
-        solve_in_threads(faces, wanted, threads);
+        solve_in_threads(faces, n, d, wanted, threads);
     }
     return py::make_tuple(incident, reflected, transmitted);
 }
@@ -287,9 +368,10 @@ void bind_optics(py::module_& module) {
         .value("slow", Mode::slow);
     module.def("solve_interface", &solve_interface, "medium1"_a, "medium2"_a, "normal"_a,
                "direction"_a, "by"_a, "mode"_a, "names"_a, "threads"_a, "single"_a,
-               "The boundary problem for unit (N, 3) or (1, 3) normals and directions: incident, "
-               "reflected and "
-               "transmitted waves as dictionaries of the arrays named.");
+               "The boundary problem for (N, 3) or (1, 3) normals and directions of any length: "
+               "incident, reflected and transmitted waves as dictionaries of the arrays named.");
+    module.def("have_lengths", &have_lengths, "rows"_a,
+               "Whether all rows of (3,) or (N, 3) can be divided by their lengths.");
     module.def("mueller_at_face", &muellers_at_face, "medium1"_a, "medium2"_a, "normal"_a,
                "direction"_a, "by"_a, "mode"_a,
                "Mueller matrices of the waves that leave, as a dictionary of arrays.");

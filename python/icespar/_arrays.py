@@ -5,11 +5,40 @@ import os
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from . import _core
 from ._core import Error
 
 
 def vectors(name: str, value: ArrayLike) -> NDArray[np.float64]:
     """`value` as finite float64 of shape (3,) or (N, 3); ValueError that names argument and element."""
+    array = _rows(name, value).astype(np.float64)
+    finite = np.isfinite(array)
+    if not finite.all():
+        raise ValueError(f"{_element(name, array, ~finite.all(axis=-1))} is not finite")
+    return array
+
+
+def directions(name: str, value: ArrayLike) -> NDArray[np.float64]:
+    """`vectors`, none of them zero, made unit vectors."""
+    array = pointing(name, value)
+    return array / np.sqrt(np.einsum("...i,...i", array, array))[..., None]
+
+
+def pointing(name: str, value: ArrayLike) -> NDArray[np.float64]:
+    """`vectors`, none of them zero, of lengths whose squares neither overflow nor vanish."""
+    array = np.ascontiguousarray(_rows(name, value), np.float64)
+    if _core.have_lengths(array):
+        return array
+    array = vectors(name, value)
+    largest = np.abs(array).max(axis=-1, keepdims=True, initial=0)
+    zero = largest[..., 0] == 0
+    if zero.any():
+        raise ValueError(f"{_element(name, array, zero)} is zero; a direction is needed")
+    return array / largest
+
+
+def _rows(name: str, value: ArrayLike) -> NDArray[np.number]:
+    """`value` as an array of real numbers of shape (3,) or (N, 3)."""
     try:
         array = np.asarray(value)
     except ValueError as error:
@@ -19,25 +48,7 @@ def vectors(name: str, value: ArrayLike) -> NDArray[np.float64]:
     if array.ndim not in (1, 2) or array.shape[-1] != 3:
         raise ValueError(f"{name}: shape {array.shape} is neither (3,) nor (N, 3)")
     require_memory(name, array.size // 3, 48)
-    array = array.astype(np.float64)
-    finite = np.isfinite(array)
-    if not finite.all():
-        raise ValueError(f"{_element(name, array, ~finite.all(axis=-1))} is not finite")
     return array
-
-
-def directions(name: str, value: ArrayLike) -> NDArray[np.float64]:
-    """`vectors`, none of them zero, made unit vectors."""
-    array = vectors(name, value)
-    squared = np.einsum("...i,...i", array, array)
-    if squared.size == 0 or (squared.min() > 1e-200 and squared.max() < 1e200):
-        return array / np.sqrt(squared)[..., None]
-    largest = np.abs(array).max(axis=-1, keepdims=True, initial=0)
-    zero = largest[..., 0] == 0
-    if zero.any():
-        raise ValueError(f"{_element(name, array, zero)} is zero; a direction is needed")
-    scaled = array / largest  # so that neither tiny nor huge vectors overflow when squared
-    return scaled / np.linalg.norm(scaled, axis=-1, keepdims=True)
 
 
 def rows_of(**arrays: NDArray[np.float64]) -> int:

@@ -357,6 +357,7 @@ def solve_interface(
     threads: int,
     single: bool,
 ) -> tuple[dict[str, np.ndarray], dict[str, np.ndarray], dict[str, np.ndarray]]: ...
+def have_lengths(rows: NDArray[np.float64]) -> bool: ...
 def mueller_at_face(
     medium1: Medium,
     medium2: Medium,

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._arrays import directions, require_memory, rows_of
+from ._arrays import directions, pointing, require_memory, rows_of
 from ._core import Medium
 
 _MODES = {
@@ -149,7 +149,7 @@ def interface(
         raise ValueError(f"precision: 'double' or 'single' is needed, not {precision!r}")
     if threads is not None and threads < 1:
         raise ValueError(f"threads: {threads} is not a positive number; leave it out to use all processors")
-    vectors = {"normal": directions("normal", normal), "direction": directions("direction", direction)}
+    vectors = {"normal": pointing("normal", normal), "direction": pointing("direction", direction)}
     count = rows_of(**vectors)
     require_memory("direction", count, _BYTES_A_RAY if only is None else 100 * (1 + len(names)))
     n, d = (np.atleast_2d(array) for array in vectors.values())
