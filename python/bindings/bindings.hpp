@@ -33,6 +33,7 @@ using Complexes = py::array_t<Complex>;
 
 void bind_medium(py::module_& module);
 void bind_optics(py::module_& module);
+void bind_faces(py::module_& module);
 void bind_polarisation(py::module_& module);
 void bind_design(py::module_& module);
 void bind_stone(py::module_& module);

@@ -69,6 +69,7 @@ PYBIND11_MODULE(_core, module) {
     error.attr("__doc__") = "A call that cannot be carried out; the message ends with the remedy.";
     icespar::python::bind_medium(module);
     icespar::python::bind_optics(module);
+    icespar::python::bind_faces(module);
     icespar::python::bind_polarisation(module);
     icespar::python::bind_stone(module);
     icespar::python::bind_design(module);
