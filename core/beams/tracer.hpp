@@ -8,7 +8,7 @@
 #include "beams/facet_search.hpp"
 #include "beams/fresnel.hpp"
 #include "beams/response.hpp"
-#include "interface/interface.hpp"
+#include "interface/inner_face.hpp"
 
 namespace icespar {
 
@@ -313,38 +313,32 @@ private:
     template <class Sink>
     void meet_crystal(const Vec3& normal, Sink& sink) {
         const Expansion k = beam_.k;
-        Wave incident;
-        incident.mode = beam_.extraordinary ? Mode::extraordinary : Mode::ordinary;
-        incident.k = complexified(k.value);
-        incident.E = complexified(beam_.s);
-        const Interface face(medium_, air_, normal, incident);
-        const std::size_t m = beam_.extraordinary ? 1 : 0;
         const Single before = beam_.response;
-        if (face.propagating(true, 0)) {
-            const Vec3 out = face.wave_vector(true, 0);
-            leave(matched(k, normal, out, out), face.s_direction(),
-                  before.leaving(face.flux_amplitude(m, true, 0), face.flux_amplitude(m, true, 1)),
-                  normal, sink);
+        const InnerFace face(medium_, air_, normal, k.value, beam_.s, beam_.extraordinary);
+        if (face.passes) {
+            leave(matched(k, normal, face.k_out, face.k_out), face.s,
+                  before.leaving(face.out_s, face.out_p), normal, sink);
         }
         send_modes(
-            face, false, k, normal,
-            [&](std::size_t i) { return before.times(face.flux_amplitude(m, false, i)); }, sink);
+            face.reflected, k, normal,
+            [&](std::size_t i) { return before.times(face.amplitude[i]); }, sink);
     }
 
     /// Pushes both modes that go into the crystal.
     template <class Coupled, class Sink>
-    void send_modes(const Interface& face, bool transmitted, const Expansion& k, const Vec3& normal,
+    void send_modes(const CrystalWaves& waves, const Expansion& k, const Vec3& normal,
                     const Coupled& coupled, Sink& sink) {
         [[maybe_unused]] const Fan fan = beam_.fan;
         for (std::size_t i = 0; i < 2; ++i) {
-            if (!face.propagating(transmitted, i)) continue;
+            if (!waves.propagates[i]) continue;
             beam_.extraordinary = i == 1;
             beam_.response = coupled(i);
-            const Vec3 out = face.wave_vector(transmitted, i);
-            const Vec3 flow = energy(out, i == 1);
-            beam_.k = matched(k, normal, out, flow);
-            if constexpr (spectral) beam_.fan = fanned(fan, normal, flow, swelling(out, i == 1));
-            beam_.s = face.field_direction(transmitted, i);
+            const Vec3 flow = energy(waves.k[i], i == 1);
+            beam_.k = matched(k, normal, waves.k[i], flow);
+            if constexpr (spectral) {
+                beam_.fan = fanned(fan, normal, flow, swelling(waves.k[i], i == 1));
+            }
+            beam_.s = waves.E[i];
             send(sink, i == 1);
         }
     }
@@ -393,7 +387,7 @@ private:
             // From an isotropic medium both polarisations couple to both reflected ones.
             leave(back, turned, arriving.through(transfer(face, false)), normal, sink);
             send_modes(
-                face, true, k, normal,
+                CrystalWaves(face, true), k, normal,
                 [&](std::size_t i) {
                     return Response::entering(arriving, face.flux_amplitude(0, true, i),
                                               face.flux_amplitude(1, true, i));
