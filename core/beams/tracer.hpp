@@ -1,6 +1,7 @@
 // Beams through one stone: fragments of a pixel, carried to first order from facet to facet.
 #pragma once
 
+#include <array>
 #include <type_traits>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "beams/facet_search.hpp"
 #include "beams/fresnel.hpp"
 #include "beams/response.hpp"
+#include "crystal/loss.hpp"
 #include "interface/inner_face.hpp"
 
 namespace icespar {
@@ -36,8 +38,14 @@ struct Leaf {
 ///   hits,
 ///                       and is not itself the offspring of such a one
 ///   see(leaf)
-/// `spectral`: k's derivative with colour is carried, too.
-template <class Response, bool birefringent, bool spectral = false>
+///   transmit(lengths)   only if absorbing: the mean over the beam's colours of what absorption has
+///                       left of it, before anything of the sort is seen; responses hold the mean
+///   absorb(weight)      only if absorbing: what the stone took
+///
+/// `spectral`: k's derivative with colour is carried, too. `absorbing`: so are lengths after which
+/// a wave has lost as much as a wave of the isotropic stone; in a crystal one polarised across the
+/// axis, one polarised along it, and any wave (the length itself).
+template <class Response, bool birefringent, bool spectral = false, bool absorbing = false>
 class BeamTracer {
 public:
     explicit BeamTracer(const FacetSearch& facets)
@@ -50,6 +58,11 @@ public:
         swell_e_ = medium.n_e * dn_e;
         eps_o_ = medium.n_o * medium.n_o;
         eps_e_ = medium.n_e * medium.n_e;
+        if constexpr (absorbing && birefringent) {
+            const RealTensor along = dyad(medium.axis);
+            across_ = medium.n_o * (RealTensor::diagonal(1, 1, 1) + -1.0 * along);
+            along_ = medium.n_e * along;
+        }
     }
 
     [[nodiscard]] std::uint64_t events() const { return events_; }
@@ -86,12 +99,19 @@ private:
 
     struct Nothing {};
     using Fan = std::conditional_t<spectral, Vec3, Nothing>;
+    struct Absorbed {
+        std::array<Affine, birefringent ? 3 : 1> lengths{};
+        double left = 1;
+    };
+    struct Clear {};
+    using Absorption = std::conditional_t<absorbing, Absorbed, Clear>;
 
     struct Beam {
         Point2 centre;
         double area;
         Expansion position, k;
         [[no_unique_address]] Fan fan;
+        [[no_unique_address]] Absorption absorbed;
         Vec3 s;  ///< a crystal's mode: its E
         std::conditional_t<birefringent, Single, Pair> response;
         int left;  ///< the facet just left
@@ -147,6 +167,9 @@ private:
         beam.centre = beam.centre + e.centroid;
         beam.position.value = beam.position.at(e.centroid);
         beam.k.value = beam.k.at(e.centroid);
+        if constexpr (absorbing) {
+            for (Affine& length : beam.absorbed.lengths) length.value = length(e.centroid);
+        }
         if constexpr (birefringent) {
             const Vec3 flow = energy(beam.k.value, beam.extraordinary);
             const double surface = beam.extraordinary ? eps_e_ * eps_o_ : eps_o_;
@@ -225,12 +248,38 @@ private:
                 dot(normal, flow.value);
             there = arrival(beam_.position, flow, normal, t);
         }
+        if constexpr (absorbing) absorb(flow, normal, t, sink);
         beam_.position = there;
         ++beam_.hits;
         beam_.left = facet;
         beam_.bases = -1;
         ++events_;
         meet(normal, sink);
+    }
+
+    /// On the way along `flow` to a plane that is `t` away.
+    template <class Sink>
+    void absorb(const Expansion& flow, const Vec3& normal, double t, Sink& sink) {
+        const double speed = -1 / dot(normal, flow.value);
+        const Expansion& from = beam_.position;
+        const double dx = speed * dot(normal, from.dx + t * flow.dx),
+                     dy = speed * dot(normal, from.dy + t * flow.dy);
+        const auto add = [&](std::size_t i, double rate) {
+            Affine& length = beam_.absorbed.lengths[i];
+            length = {length.value + rate * t, length.dx + rate * dx, length.dy + rate * dy};
+        };
+        if constexpr (birefringent) {
+            add(0, loss_along(across_, beam_.s, beam_.k.value, flow.value));
+            add(1, loss_along(along_, beam_.s, beam_.k.value, flow.value));
+            add(2, length(flow.value));
+        } else {
+            add(0, medium_.n_o);
+        }
+        const double left = sink.transmit(beam_.absorbed.lengths);
+        const double part = left / beam_.absorbed.left;
+        beam_.absorbed.left = left;
+        sink.absorb((1 - part) * beam_.area * beam_.response.power());
+        beam_.response.scale(part);
     }
 
     /// Where lines along `flow` meet a plane that is `t` away from the first of them.
@@ -376,6 +425,7 @@ private:
     template <class Sink>
     void enter_face(const Pair& launched, const Expansion& k, Vec3 s, const Vec3& normal,
                     Sink& sink) {
+        if constexpr (absorbing) (void)sink.transmit(beam_.absorbed.lengths);
         const auto mirrored = [&](const Vec3& v) { return v - (2 * dot(normal, v)) * normal; };
         const Expansion back{mirrored(k.value), mirrored(k.dx), mirrored(k.dy)};
         if constexpr (birefringent) {
@@ -411,6 +461,7 @@ private:
     Medium air_, medium_;
     double eps_o_ = 1, eps_e_ = 1;
     double swell_o_ = 0, swell_e_ = 0;
+    RealTensor across_{}, along_{};  ///< losses of unit absorption, across the axis and along it
     std::vector<Beam> beams_;
     Polygon corners_;
     std::vector<Base> bases_;

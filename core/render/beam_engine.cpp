@@ -9,6 +9,7 @@
 #include "beams/footprint.hpp"
 #include "beams/roulette.hpp"
 #include "beams/tracer.hpp"
+#include "render/path_colour.hpp"
 #include "render/sky_spectrum.hpp"
 #include "render/sky_sum.hpp"
 #include "render/visibility.hpp"
@@ -94,10 +95,11 @@ Branch continued(const Leaf<Response>& leaf, const Point2& at, const Vec3& centr
 template <class Response>
 class PixelBeams final : public BeamEngine::Kernels {
 public:
-    using Isotropic = BeamTracer<Response, false>;
-    using Uniaxial = BeamTracer<Response, true>;
-    using SpectralIsotropic = BeamTracer<Response, false, true>;
-    using SpectralUniaxial = BeamTracer<Response, true, true>;
+    using Tracer = std::variant<
+        BeamTracer<Response, false>, BeamTracer<Response, true>, BeamTracer<Response, false, true>,
+        BeamTracer<Response, true, true>, BeamTracer<Response, false, false, true>,
+        BeamTracer<Response, true, false, true>, BeamTracer<Response, false, true, true>,
+        BeamTracer<Response, true, true, true>>;
 
     PixelBeams(const World& world, const Needs& needs, const BeamScene::Stones& stones,
                const Palette& palette, const WavelengthSampler& wavelengths, int bands, int width,
@@ -118,20 +120,25 @@ public:
         add(palette.below);
         add(palette.above);
         for (const Emitter& e : palette.discs) add(e);
+        const std::size_t cells = spectrum_ ? static_cast<std::size_t>(spectrum_->cells()) : 64;
+        std::vector<double> nm;
+        for (std::size_t i = 0; i < cells * points_a_cell; ++i) {
+            const double u =
+                (static_cast<double>(i) + 0.5) / static_cast<double>(cells * points_a_cell);
+            nm.push_back(wavelengths.draw(u).wavelength_nm);
+        }
         for (std::size_t i = 0; i < stones.facets.size(); ++i) {
-            const auto add_tracer = [&]<class Tracer>(std::in_place_type_t<Tracer> type) {
-                tracers_.emplace_back(type, stones.facets[i]);
-            };
-            if (needs.stones[i].wavelengths && !needs.surroundings) {
-                if (needs.stones[i].birefringent) {
-                    add_tracer(std::in_place_type<SpectralUniaxial>);
-                } else {
-                    add_tracer(std::in_place_type<SpectralIsotropic>);
-                }
-            } else if (needs.stones[i].birefringent) {
-                add_tracer(std::in_place_type<Uniaxial>);
+            const StoneNeeds& stone = needs.stones[i];
+            tracers_.push_back(tracer_for(stones.facets[i], stone.birefringent,
+                                          stone.parts_wavelengths && !needs.surroundings,
+                                          stone.absorption));
+            colours_.emplace_back();
+            if (!stone.absorption) continue;
+            const Crystal& crystal = world.scene().gems[i].crystal;
+            if (stone.wavelengths) {
+                colours_[i].set(crystal, nm, points_a_cell);
             } else {
-                add_tracer(std::in_place_type<Isotropic>);
+                colours_[i].set(crystal, {&longest_nm, 1});
             }
         }
     }
@@ -154,6 +161,8 @@ public:
         }
         gem_ = stone;
         const auto g = static_cast<std::size_t>(stone);
+        colour_ = &colours_[g];
+        coloured_ = false;
         const Crystal& crystal = scene.gems[g].crystal;
         field_ = pixel_field(scene.camera, width_, height_, x, y, stones_.facets[g].centre());
         stones_.footprints[g].divide(x, y, parts_, count_);
@@ -167,10 +176,15 @@ public:
             return needs_.surroundings ? -1 : roulette_.variance();
         }
         flush();
-        if (needs_.surroundings) {
+        if (!needs_.surroundings) {
+            return follow_spectrum(crystal, seed);
+        }
+        if (needs_.stones[g].parts_wavelengths) {
             follow_wavelengths(crystal, seed);
         } else {
-            return follow_spectrum(crystal, seed);
+            coloured_ = true;
+            roulette_.begin(seed, threshold_);
+            trace_stone(crystal, longest_nm);
         }
         return -1;
     }
@@ -188,11 +202,17 @@ public:
         return most == 0 || hits < most;
     }
     void lose(double weight) { sampler_->dropped += share_ * weight; }
+    [[nodiscard]] double transmit(std::span<const Affine> lengths) {
+        return colour_->transmit(lengths);
+    }
+    void absorb(double weight) { sampler_->absorbed += share_ * weight; }
     void open() { opened_ = luminance(); }
     void close(int hits) { roulette_.saw(hits, luminance() - opened_); }
     void see(const Leaf<Response>& leaf) {
         if (spectral_) {
-            spectrum_->add(leaf.k, leaf.fan, leaf.polygon, leaf.area, leaf.response.unpolarised());
+            const bool tinted = needs_.stones[static_cast<std::size_t>(gem_)].absorption;
+            spectrum_->add(leaf.k, leaf.fan, leaf.polygon, leaf.area, leaf.response.unpolarised(),
+                           tinted ? colour_->tint() : std::span<const double>{});
             return;
         }
         if (!needs_.surroundings) {
@@ -203,17 +223,43 @@ public:
         const int rays = std::max(1, static_cast<int>(std::lround(weight * samples_)));
         const Vec3& centre = stones_.facets[static_cast<std::size_t>(gem_)].centre();
         for (int i = 0; i < rays; ++i) {
-            Branch b = continued(leaf, random_point(leaf.polygon), centre, gem_, dispersive_);
+            // What the outside reflects has no colour.
+            const bool tinted = coloured_ && leaf.hits > 1;
+            if (!dispersive_) {
+                const double u = sampler_->uniform();
+                sampler_->at_wavelength(tinted ? colour_->draw(u) : u);
+            }
+            Branch b =
+                continued(leaf, random_point(leaf.polygon), centre, gem_, dispersive_ || tinted);
             follow(b, share_ * leaf.area / rays);
         }
     }
 
 private:
+    [[nodiscard]] static Tracer tracer_for(const FacetSearch& facets, bool birefringent,
+                                           bool spectral, bool absorbing) {
+        const auto either = [](bool first, auto choose) {
+            return first ? choose(std::true_type{}) : choose(std::false_type{});
+        };
+        return either(birefringent, [&](auto b) {
+            return either(spectral, [&](auto s) {
+                return either(absorbing, [&](auto a) {
+                    return Tracer(
+                        std::in_place_type<BeamTracer<Response, b.value, s.value, a.value>>,
+                        facets);
+                });
+            });
+        });
+    }
+
     /// Below a sky each path is that of a piece of the spectrum (bench/beams.cpp).
     double follow_spectrum(const Crystal& crystal, std::uint64_t seed) {
         double variance = 0;
         spectral_ = true;
-        const int pieces = std::max(1, static_cast<int>(std::lround(0.25 * std::sqrt(samples_))));
+        // Colours that go the same way need one path.
+        const bool parts = needs_.stones[static_cast<std::size_t>(gem_)].parts_wavelengths;
+        const int pieces =
+            parts ? std::max(1, static_cast<int>(std::lround(0.25 * std::sqrt(samples_)))) : 1;
         const int cells = spectrum_->cells();
         const double shift = 0.5 * (sampler_->uniform() - 0.5);
         int first = 0;
@@ -224,6 +270,7 @@ private:
             share_ = static_cast<double>(last - first) / cells;
             roulette_.begin(mixed(seed + static_cast<unsigned>(i)),
                             std::min(1.0, threshold_ / (pieces * share_)));
+            colour_->narrow(static_cast<std::size_t>(first), static_cast<std::size_t>(last));
             trace_stone(crystal, spectrum_->begin(first, last));
             variance += roulette_.variance();
             first = last;
@@ -245,7 +292,11 @@ private:
         for (int w = 0; w < waves; ++w) {
             sampler_->at_wavelength((w + shift) / waves);
             roulette_.begin(mixed(seed + static_cast<unsigned>(w)), threshold_);
-            trace_stone(crystal, sampler_->wavelength_nm());
+            const double nm = sampler_->wavelength_nm();
+            if (needs_.stones[static_cast<std::size_t>(gem_)].absorption) {
+                colour_->set(crystal, {&nm, 1});
+            }
+            trace_stone(crystal, nm);
         }
     }
 
@@ -255,7 +306,6 @@ private:
     }
 
     void follow(Branch& b, double share) {
-        if (!dispersive_) sampler_->at_wavelength(sampler_->uniform());
         b.scale(share);
         walker_.walk(b, sampler_->wavelength_nm(), *sampler_);
     }
@@ -306,6 +356,7 @@ private:
             Branch b = Branch::from_sensor(field_.origin.at(p) + centre,
                                            normalised(field_.direction.at(p)),
                                            world_.scene().camera.right);
+            sampler_->at_wavelength(sampler_->uniform());
             follow(b, e.area / rays);
         }
     }
@@ -324,16 +375,20 @@ private:
     std::optional<SkySpectrum> spectrum_;  ///< below a sky, where stones disperse
     std::vector<double> lights_;           ///< luminances
     double opened_ = 0;
-    std::vector<std::variant<Isotropic, Uniaxial, SpectralIsotropic, SpectralUniaxial>> tracers_;
+    std::vector<Tracer> tracers_;      ///< of each stone
+    std::vector<PathColour> colours_;  ///< of each stone
+    PathColour* colour_ = nullptr;     ///< of the stone that is followed
     Roulette roulette_;
     Sampler* sampler_ = nullptr;
     RayField field_;
     std::vector<Footprint::Part> parts_;
     std::size_t count_ = 0;
     Polygon corners_;
+    static constexpr std::size_t points_a_cell = 8;
     int gem_ = 0, samples_ = 1;
     double threshold_ = 1, share_ = 1;
     bool dispersive_ = false, spectral_ = false;
+    bool coloured_ = false;  ///< one path for all colours, which goes on as rays of one
 };
 
 }  // namespace

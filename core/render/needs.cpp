@@ -12,14 +12,18 @@ namespace {
 /// With no more objects than this, asking all is cheaper than a tree (bench/).
 constexpr std::size_t few_objects = 4;
 
+/// Beams add up lengths of paths, which tell what is left where the law is exponential.
+bool fades_otherwise(const Crystal& c) { return c.fade && !c.fade->exponential(); }
+
 StoneNeeds needs_of_stone(const Crystal& c, const Forced& forced) {
     StoneNeeds n;
     n.birefringent = c.birefringent();
     n.active = c.active();
     n.general = c.indices.size() == 3 || n.active || (forced.general && n.birefringent);
     n.wavelengths = c.dispersive() || forced.wavelengths;
+    n.parts_wavelengths = c.parts_wavelengths() || forced.wavelengths;
     n.absorption = c.absorbs() || forced.absorption;
-    n.beams = !n.general && !c.absorbs();
+    n.beams = !n.general && !fades_otherwise(c);
     return n;
 }
 
@@ -45,8 +49,9 @@ std::string obstacle(const Scene& scene, const std::vector<StoneNeeds>& stones,
     const auto add = [&](bool is, const char* what) {
         if (is) why += (why.empty() ? "" : " or ") + std::string(what);
     };
-    const auto absorbs = [](const Gem& g) { return g.crystal.absorbs(); };
-    add(std::any_of(scene.gems.begin(), scene.gems.end(), absorbs), "absorb");
+    const auto fades = [](const Gem& g) { return fades_otherwise(g.crystal); };
+    add(std::any_of(scene.gems.begin(), scene.gems.end(), fades),
+        "attenuate light otherwise than exponentially");
     add(any([](const StoneNeeds& s) { return s.active; }), "turn polarisation");
     add(any([](const StoneNeeds& s) { return s.general && !s.active; }),
         forced.general ? "are left to the general solver" : "are biaxial");

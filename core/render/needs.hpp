@@ -36,7 +36,8 @@ struct StoneNeeds {
     bool birefringent = false;  ///< o and e, or fast and slow
     bool general = false;       ///< its waves are beyond the closed forms: biaxial or active
     bool active = false;
-    bool wavelengths = false;  ///< it treats them differently
+    bool wavelengths = false;        ///< it treats them differently
+    bool parts_wavelengths = false;  ///< and sends them different ways
     bool absorption = false;
 };
 

@@ -34,6 +34,15 @@ PlanLine wavelengths(const Scene& scene, const Needs& n) {
     const bool any =
         scene.gems.end() != std::find_if(scene.gems.begin(), scene.gems.end(),
                                          [](const Gem& g) { return g.crystal.dispersive(); });
+    const bool parted = n.engine != Engine::beams ||
+                        std::any_of(n.stones.begin(), n.stones.end(), [](const StoneNeeds& s) {
+                            return s.wavelengths && (s.parts_wavelengths || !s.beams);
+                        });
+    if (any && !parted) {
+        return {"wavelengths", "all on one path",
+                stones_with(scene, n, own) +
+                    " sends them the same way: a path knows what is left of each"};
+    }
     if (any) {
         return {"wavelengths", "one at a time",
                 "index or colour of " + stones_with(scene, n, own) + " depends on them"};
@@ -70,7 +79,7 @@ PlanLine absorption(const Scene& scene, const Needs& n) {
     const auto own = [&](std::size_t i) { return scene.gems[i].crystal.absorbs(); };
     bool any = false;
     for (std::size_t i = 0; i < n.stones.size(); ++i) any |= own(i);
-    return {"absorption", "along every ray in a stone",
+    return {"absorption", "along every path in a stone",
             any ? "light is taken by " + stones_with(scene, n, own) : std::string(asked)};
 }
 

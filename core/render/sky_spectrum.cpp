@@ -116,28 +116,40 @@ void SkySpectrum::add_line(std::size_t light, const Stokes& value, const Stokes&
     }
 }
 
+void SkySpectrum::add_line(std::size_t light, const Stokes& response, double value, double slope) {
+    if (tint_.empty()) return add_line(light, value * response, slope * response);
+    add_light(light, response, [&](double c) { return value + slope * c; });
+}
+
 template <class Part>
 void SkySpectrum::add_light(std::size_t light, const Stokes& response, const Part& part) {
+    const auto plain = [&](std::size_t i) { return part(colours_[i] - middle_); };
+    if (tint_.empty()) return add_cells(light, response, plain);
+    add_cells(light, response, [&](std::size_t i) { return tint_[i] * plain(i); });
+}
+
+template <class Part>
+void SkySpectrum::add_cells(std::size_t light, const Stokes& response, const Part& part) {
     const double* brightness = &brightness_[light * cells_];
     double bright = 0;
-    for (std::size_t i = first_; i < last_; ++i)
-        bright += brightness[i] * part(colours_[i] - middle_);
+    for (std::size_t i = first_; i < last_; ++i) bright += brightness[i] * part(i);
     luminance_ += response.s0 * bright;
     const double parts[4] = {response.s0, response.s1, response.s2, response.s3};
     for (std::size_t c = 0; c < components_; ++c) {
         in_cells_[c * lights_ + light] = true;
         double* seen = &cell_light_[(c * lights_ + light) * cells_];
         for (std::size_t i = first_; i < last_; ++i) {
-            seen[i] += parts[c] * part(colours_[i] - middle_);
+            seen[i] += parts[c] * part(i);
         }
     }
 }
 
 void SkySpectrum::add(const Expansion& k, const Vec3& fan, PolygonView polygon, double area,
-                      const Stokes& response) {
+                      const Stokes& response, std::span<const double> tint) {
+    tint_ = tint;
     const double height = 0.5 * (1 + dot(k.value, sky_.up)), slope = 0.5 * dot(fan, sky_.up);
-    add_line(0, (area * (1 - height)) * response, (area * -slope) * response);
-    add_line(1, (area * height) * response, (area * slope) * response);
+    add_line(0, response, area * (1 - height), area * -slope);
+    add_line(1, response, area * height, area * slope);
     if (sky_.discs.empty()) return;
     constexpr int halvings = 8;
     const double across = spread(k, polygon);
@@ -164,10 +176,10 @@ void SkySpectrum::add_lamp(std::size_t number, const Expansion& k, const Vec3& f
     const double inside = dot(k.value, disc.direction) - disc.cos_radius;
     if (inside <= -across - swing) return;
     const std::size_t light = 2 + number;
-    if (inside >= across + swing) return add_line(light, area * response, {});
+    if (inside >= across + swing) return add_line(light, response, area, 0);
     constexpr double still = 0.1;
     if (swing < still * across) {
-        return add_line(light, lit_area(disc, k, polygon, area, halvings) * response, {});
+        return add_line(light, response, lit_area(disc, k, polygon, area, halvings), 0);
     }
     if (!edge_is_straight(disc, across) && halvings > 0) {
         Polygon half;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <span>
 #include <vector>
 
 #include "beams/expansion.hpp"
@@ -28,9 +29,10 @@ public:
     /// hardly any of the error is one of luminance: two thirds of the weights are luminances.
     double begin(int first, int last);
 
-    /// `k`: unit wave vectors over the polygon, whose centroid is the origin; `fan`: dk/dc.
+    /// `k`: unit wave vectors over the polygon, whose centroid is the origin; `fan`: dk/dc. `tint`:
+    /// factors of the response, one a cell; none are 1.
     void add(const Expansion& k, const Vec3& fan, PolygonView polygon, double area,
-             const Stokes& response);
+             const Stokes& response, std::span<const double> tint = {});
 
     /// Light of a beam that ended, for what the whole sky sheds on average.
     void add_mean(double weight);
@@ -51,9 +53,14 @@ private:
                   double area, const Stokes& response, double across, double swing, int halvings);
     /// The response value + slope c, c being counted from the middle.
     void add_line(std::size_t light, const Stokes& value, const Stokes& slope);
-    /// The response times part(c).
+    /// That times the tint of the leaf.
+    void add_line(std::size_t light, const Stokes& response, double value, double slope);
+    /// The response times part(c) and the tint.
     template <class Part>
     void add_light(std::size_t light, const Stokes& response, const Part& part);
+    /// The response times part(number of the cell).
+    template <class Part>
+    void add_cells(std::size_t light, const Stokes& response, const Part& part);
     /// Lines of the piece to channels.
     void end_piece();
 
@@ -79,6 +86,7 @@ private:
     std::vector<double> brightness_;  ///< luminance of each light [light][cell]
     std::vector<double> in_piece_;    ///< and of its whole piece
     double luminance_ = 0;
+    std::span<const double> tint_;  ///< of the leaf
     std::size_t first_ = 0, last_ = 0;
     double middle_ = 0;
 };

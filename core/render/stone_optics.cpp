@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "crystal/loss.hpp"
+
 namespace icespar {
 namespace {
 
@@ -43,17 +45,16 @@ Absorption StoneOptics::absorption() const {
 
 double StoneOptics::transmittance(const Vec3& k, const Vec3& ray, const Vec3& re, const Vec3& im,
                                   double length) const {
-    // Poynting's theorem to first order: what Im eps takes over what flows, |E x H|, which is k .
-    // ray without activity.
-    double flow = dot(k, ray);
+    double loss = medium_.symmetry == Symmetry::isotropic
+                      ? loss_.xx / dot(k, ray)
+                      : loss_along(loss_, re, k, ray) + loss_along(loss_, im, k, ray);
     if (medium_.active()) {
+        // What flows, |E x H|, is not quite k . ray.
         const CVec3 E = complexified(re) + Complex(0, 1) * complexified(im);
-        flow = dot(real(cross(E, conj(medium_.magnetic_field(complexified(k), E)))), ray);
+        loss *= dot(k, ray) /
+                dot(real(cross(E, conj(medium_.magnetic_field(complexified(k), E)))), ray);
     }
-    const double taken = medium_.symmetry == Symmetry::isotropic
-                             ? loss_.xx
-                             : dot(re, loss_ * re) + dot(im, loss_ * im);
-    const double left = taken > 0 ? std::exp(-taken / flow * length) : 1;
+    const double left = loss > 0 ? std::exp(-loss * length) : 1;
     return fade_ ? left * fade_->transmittance(length, wavelength_nm_) : left;
 }
 

@@ -214,12 +214,6 @@ private:
     ParallelView view_;
 };
 
-/// Beer and Lambert's law, which never adds light.
-bool exponential(const Fade& fade) {
-    constexpr double law = 1000;
-    return fade.power >= law && fade.distance > 0 && fade.colour.greatest() <= 1;
-}
-
 }  // namespace
 
 std::string view_obstacle(const Scene& scene) {
@@ -230,7 +224,7 @@ std::string view_obstacle(const Scene& scene) {
     if (scene.gems.size() != 1 || !scene.things.empty())
         return "there is more than one stone alone";
     const auto& fade = scene.gems[0].crystal.fade;
-    if (fade && !exponential(*fade)) return "the stone's attenuation is not exponential";
+    if (fade && !fade->exponential()) return "the stone's attenuation is not exponential";
     if (scene.gems[0].crystal.active()) return "the stone turns polarisation";
     if (sky.state != Stokes{1, 0, 0, 0} || sky.formulas.size() > 1) return "the sky is polarised";
     return {};

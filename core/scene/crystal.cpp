@@ -6,18 +6,31 @@
 
 namespace icespar {
 
+namespace {
+
+constexpr double exponential_power = 1000;
+
+bool varies(const Spectrum& s) { return !s.flat(); }
+
+}  // namespace
+
+bool Fade::exponential() const {
+    return power >= exponential_power && distance > 0 && colour.greatest() <= 1;
+}
+
 double Fade::transmittance(double length, double wavelength_nm) const {
-    constexpr double exponential = 1000;
     const double c = colour(wavelength_nm), x = length / distance;
-    if (power >= exponential) return std::exp(-(1 - c) * x);
+    if (power >= exponential_power) return std::exp(-(1 - c) * x);
     return c + (1 - c) / (1 + std::pow(x, power));
 }
 
-bool Crystal::dispersive() const {
-    const auto varies = [](const Spectrum& s) { return !s.flat(); };
+bool Crystal::parts_wavelengths() const {
     return std::any_of(indices.begin(), indices.end(),
-                       [](const IndexFunction& n) { return n.dispersive(); }) ||
-           std::any_of(absorption.begin(), absorption.end(), varies) ||
+                       [](const IndexFunction& n) { return n.dispersive(); });
+}
+
+bool Crystal::dispersive() const {
+    return parts_wavelengths() || std::any_of(absorption.begin(), absorption.end(), varies) ||
            (fade && varies(fade->colour)) || varies(rotation);
 }
 

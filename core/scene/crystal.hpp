@@ -17,6 +17,8 @@ struct Fade {
     double distance = 1;  ///< mm, not 0
     double power = 1000;
     Spectrum colour{0.0};
+    /// Beer and Lambert's law, which never adds light.
+    [[nodiscard]] bool exponential() const;
     [[nodiscard]] double transmittance(double length, double wavelength_nm) const;
 };
 
@@ -40,6 +42,8 @@ struct Crystal {
     [[nodiscard]] bool active() const { return rotation.least() != 0 || rotation.greatest() != 0; }
     /// Whether it treats wavelengths differently.
     [[nodiscard]] bool dispersive() const;
+    /// Whether it sends them different ways.
+    [[nodiscard]] bool parts_wavelengths() const;
 };
 
 }  // namespace icespar

@@ -7,6 +7,7 @@
 
 #include "beams/fresnel.hpp"
 #include "beams/response.hpp"
+#include "crystal/loss.hpp"
 #include "interface/interface.hpp"
 #include "views/beam_queue.hpp"
 #include "views/facet_cells.hpp"
@@ -287,10 +288,9 @@ private:
 
     /// What a beam loses per multiple of its flow.
     [[nodiscard]] double loss_along(const Vec3& along) const {
-        const double size2 = dot(along, along);
-        double loss = absorption_.per_length * std::sqrt(size2);
+        double loss = absorption_.per_length * length(along);
         if constexpr (crystal) {
-            loss += dot(beam_.s, absorption_.tensor * beam_.s) * size2 / dot(beam_.k, along);
+            loss += icespar::loss_along(absorption_.tensor, beam_.s, beam_.k, along);
         } else {
             loss += absorption_.tensor.xx;
         }

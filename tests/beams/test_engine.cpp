@@ -1,84 +1,11 @@
 // Pictures by beams against pictures by rays, which are the reference.
 #include <catch2/catch.hpp>
 
-#include "support/gem_scenes.hpp"
+#include "support/compare_engines.hpp"
 
 using namespace icespar;
 using namespace icespar::testing;
 using Catch::Matchers::WithinAbs;
-
-namespace {
-
-constexpr int runs = 6;
-
-struct Estimate {
-    std::vector<double> mean, variance;  ///< of each pixel and channel; variance of the mean
-    std::array<double, 3> picture{}, picture_variance{};  ///< of R, G, B (of S1..S3 alike)
-};
-
-/// Independent pictures by one engine.
-Estimate estimated(const Scene& scene, Engine engine, int samples, int size, bool stokes = false) {
-    Estimate out;
-    std::vector<double> squares;
-    std::array<double, 3> squared{};
-    for (int run = 0; run < runs; ++run) {
-        RenderOptions options = small(size, samples);
-        options.engine = engine;
-        options.stokes = stokes;
-        options.seed = static_cast<std::uint64_t>(100 + run);
-        const Rendering r = render(scene, options);
-        REQUIRE(r.report.engine == engine);
-        const auto& values = stokes ? r.image.rgb_stokes : r.image.rgb;
-        out.mean.resize(values.size());
-        squares.resize(values.size());
-        std::array<double, 3> mean{};
-        for (std::size_t i = 0; i < values.size(); ++i) {
-            out.mean[i] += values[i] / double(runs);
-            squares[i] += double(values[i]) * values[i] / double(runs);
-            mean[i % 3] += 3 * values[i] / static_cast<double>(values.size());
-        }
-        for (std::size_t c = 0; c < 3; ++c) {
-            out.picture[c] += mean[c] / runs;
-            squared[c] += mean[c] * mean[c] / runs;
-        }
-    }
-    for (std::size_t i = 0; i < squares.size(); ++i) {
-        out.variance.push_back(std::max(0.0, squares[i] - out.mean[i] * out.mean[i]) / (runs - 1));
-    }
-    for (std::size_t c = 0; c < 3; ++c) {
-        out.picture_variance[c] =
-            std::max(0.0, squared[c] - out.picture[c] * out.picture[c]) / (runs - 1);
-    }
-    return out;
-}
-
-void compare(const Scene& scene, int rays, int beams, int size, bool stokes = false) {
-    const Estimate a = estimated(scene, Engine::rays, rays, size, stokes),
-                   b = estimated(scene, Engine::beams, beams, size, stokes);
-    for (std::size_t c = 0; c < 3; ++c) {
-        const double z = (a.picture[c] - b.picture[c]) /
-                         std::sqrt(a.picture_variance[c] + b.picture_variance[c] + 1e-14);
-        CAPTURE(c, a.picture[c], b.picture[c], z);
-        CHECK(std::abs(z) < 6);
-    }
-    // Every pixel, with a bound for the largest of them all (Student's t for the few runs).
-    double worst = 0;
-    for (std::size_t i = 0; i < a.mean.size(); ++i) {
-        const double d = a.mean[i] - b.mean[i];
-        worst = std::max(worst, d * d / (a.variance[i] + b.variance[i] + 1e-7));
-    }
-    CAPTURE(std::sqrt(worst));
-    CHECK(std::sqrt(worst) < 16);
-}
-
-Scene lit(Scene scene) {
-    scene.environment.discs.push_back(
-        {normalised({1, 2, 4}), std::cos(12 * degree), Spectrum(5.0)});
-    scene.environment.discs.push_back({{0, 0, 1}, std::cos(4 * degree), Spectrum(5.0)});
-    return scene;
-}
-
-}  // namespace
 
 TEST_CASE("beams and rays make the same picture of a stone below a sky with lamps",
           "[beams][statistics]") {
@@ -87,12 +14,12 @@ TEST_CASE("beams and rays make the same picture of a stone below a sky with lamp
                             : kind == 1 ? zircon(normalised({2, 1, 1}))
                                         : calcite({0, 0, 1});
     CAPTURE(kind);
-    compare(lit(picture_scene(crystal, slope(normalised({1, 2, 4})))), 256, 64, 12);
+    compare_engines(lit(picture_scene(crystal, slope(normalised({1, 2, 4})))), 256, 64, 12);
 }
 
 TEST_CASE("beams and rays agree on the polarisation of a picture", "[beams][statistics]") {
-    compare(lit(picture_scene(calcite(normalised({2, 1, 1})), slope({1, 0, 0}))), 128, 32, 10,
-            true);
+    compare_engines(lit(picture_scene(calcite(normalised({2, 1, 1})), slope({1, 0, 0}))), 128, 32,
+                    10, true);
 }
 
 TEST_CASE("beams and rays agree on a dispersive stone in a parallel view", "[beams][statistics]") {
@@ -101,14 +28,14 @@ TEST_CASE("beams and rays agree on a dispersive stone in a parallel view", "[bea
     scene.camera.kind = Camera::Kind::orthographic;
     scene.camera.right = {2.2, 0, 0};
     scene.camera.up = {0, 2.2, 0};
-    compare(scene, 256, 64, 12);
+    compare_engines(scene, 256, 64, 12);
 }
 
 TEST_CASE("beams paint the colours of a crystal that splits and disperses light as rays do",
           "[beams][statistics]") {
     Crystal crystal = zircon(normalised({2, 1, 1}));
     crystal.indices = {IndexFunction::cauchy(1.88, 0.013), IndexFunction::cauchy(1.93, 0.019)};
-    compare(lit(picture_scene(crystal, slope(normalised({1, 2, 4})))), 128, 64, 8);
+    compare_engines(lit(picture_scene(crystal, slope(normalised({1, 2, 4})))), 128, 64, 8);
 }
 
 TEST_CASE("beams that leave a stone go on as rays to what stands around", "[beams][statistics]") {
@@ -124,7 +51,7 @@ TEST_CASE("beams that leave a stone go on as rays to what stands around", "[beam
     scene.things.push_back(floor);
     scene.gems.push_back(
         {cube_stone().transformed(Transform::translation({2.2, 0, 0})), glass(1.6), "cube"});
-    compare(scene, 256, 64, 12);
+    compare_engines(scene, 256, 64, 12);
 }
 
 TEST_CASE("the size of a stone and its place change no picture by beams", "[beams]") {
