@@ -6,6 +6,7 @@
 
 #include "interface/interface.hpp"
 #include "math/vec3.hpp"
+#include "polarisation/mueller.hpp"
 #include "polarisation/stokes.hpp"
 
 namespace icespar {
@@ -42,6 +43,21 @@ struct FullResponse {
             const Complex xy = a[0][0] * std::conj(a[1][0]) + a[0][1] * std::conj(a[1][1]);
             return {0.5 * (xx + yy), 0.5 * (xx - yy), xy.real(), xy.imag()};
         }
+        /// Of light whose Stokes vector refers to s and -p.
+        [[nodiscard]] Stokes seen(const Stokes& light) const {
+            const double ss = 0.5 * (light.s0 + light.s1), pp = 0.5 * (light.s0 - light.s1);
+            const Complex sp{-0.5 * light.s2, -0.5 * light.s3};
+            const auto coherency = [&](std::size_t i, std::size_t j) {
+                return ss * a[i][0] * std::conj(a[j][0]) + pp * a[i][1] * std::conj(a[j][1]) +
+                       sp * a[i][0] * std::conj(a[j][1]) +
+                       std::conj(sp) * a[i][1] * std::conj(a[j][0]);
+            };
+            const double xx = coherency(0, 0).real(), yy = coherency(1, 1).real();
+            const Complex xy = coherency(0, 1);
+            return {xx + yy, xx - yy, 2 * xy.real(), 2 * xy.imag()};
+        }
+        /// From a sensor behind an analyser.
+        [[nodiscard]] static Pair behind(const Jones& analyser) { return {analyser.m}; }
         /// On axes turned so that the new s has components (c, d) along the old s and p.
         [[nodiscard]] Pair turned(double c, double d) const {
             Pair out;
@@ -97,6 +113,15 @@ struct IntensityResponse {
 
         [[nodiscard]] double power() const { return 0.5 * (ss + pp); }
         [[nodiscard]] Stokes unpolarised() const { return {power(), 0, 0, 0}; }
+        [[nodiscard]] Stokes seen(const Stokes& light) const {
+            const double mixed = light.s2 * sp.real() - light.s3 * sp.imag();
+            return {0.5 * (light.s0 * (ss + pp) + light.s1 * (ss - pp)) - mixed, 0, 0, 0};
+        }
+        [[nodiscard]] static Pair behind(const Jones& analyser) {
+            const auto& [x, y] = analyser.m;
+            return {std::norm(x[0]) + std::norm(y[0]), std::norm(x[1]) + std::norm(y[1]),
+                    x[0] * std::conj(x[1]) + y[0] * std::conj(y[1])};
+        }
         [[nodiscard]] Pair turned(double c, double d) const {
             const double cc = c * c, dd = d * d, cd = c * d, re = sp.real();
             const double mixed = 2 * cd * re;

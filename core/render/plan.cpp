@@ -129,7 +129,14 @@ PlanLine lights(const Scene& scene) {
     return {"lights", count, "asked at every point of a diffuse surface"};
 }
 
-PlanLine engine(const Needs& n) {
+/// Why a parallel view of a stone is not drawn by exact beams.
+std::string not_exact(const Scene& scene, const Needs& n) {
+    const bool parallel = scene.camera.kind == Camera::Kind::orthographic && !scene.gems.empty();
+    return parallel && !n.exact_obstacle.empty() ? "; not exact beams: " + n.exact_obstacle
+                                                 : std::string();
+}
+
+PlanLine engine(const Scene& scene, const Needs& n) {
     if (n.engine == Engine::exact) {
         return {
             "engine", "exact beams",
@@ -142,9 +149,10 @@ PlanLine engine(const Needs& n) {
                 "pixels of stones are cut along the facets' edges" +
                     (by_rays > 0 ? "; " + std::to_string(by_rays) + " of " +
                                        counted(n.stones.size(), "stone") + " by rays"
-                                 : std::string())};
+                                 : std::string()) +
+                    not_exact(scene, n)};
     }
-    return {"engine", "rays", n.obstacle.empty() ? "asked for" : n.obstacle};
+    return {"engine", "rays", n.obstacle.empty() ? "asked for" : n.obstacle + not_exact(scene, n)};
 }
 
 }  // namespace
@@ -160,7 +168,7 @@ std::vector<PlanLine> plan(const Scene& scene, const Needs& n) {
         objects(scene, n),
         surroundings(scene, n),
         lights(scene),
-        engine(n)};
+        engine(scene, n)};
 }
 
 std::vector<std::string> plan_warnings(const Scene& scene) {

@@ -148,9 +148,9 @@ Rendering render(const Scene& scene, const RenderOptions& options,
         enough = true;
         report.interrupted = view.interrupted;
         report.events = view.beams;
-        report.samples = view.interrupted ? 0 : view.wavelengths;
+        report.samples = view.wavelengths;
         const double pixels = static_cast<double>(options.width) * options.height;
-        report.paths = view.interrupted ? 0 : static_cast<std::uint64_t>(pixels);
+        report.paths = view.wavelengths > 0 ? static_cast<std::uint64_t>(pixels) : 0;
         report.dropped = view.dropped * pixels;
         report.absorbed = view.absorbed * pixels;
         report.error = view.error;

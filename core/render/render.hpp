@@ -17,8 +17,8 @@ enum class ErrorMetric { rms, largest };
 
 struct RenderOptions {
     int width = 640, height = 480;
-    int samples = 0;   ///< per pixel; 0: until `error` or `seconds`
-    double error = 0;  ///< stop when the picture's estimated relative error is below; 0: ignore
+    int samples = 0;     ///< per pixel; 0: until `error` or `seconds`
+    double error = 0;    ///< stop when the picture's estimated relative error is below; 0: ignore
     double seconds = 0;  ///< stop after this time; 0: ignore. All three 0: 64 samples
     int threads = 0;     ///< 0: all. The picture does not depend on it (but for `seconds`)
     std::uint64_t seed = 0;
@@ -40,6 +40,9 @@ struct Progress {
 /// Called from the rendering thread between passes and within them; false stops the render, which
 /// keeps what is there.
 using ProgressCallback = std::function<bool(const Progress&)>;
+
+/// Relative error of a picture by exact beams for which no bound is given.
+inline constexpr double exact_error = 0.004;
 
 struct RenderReport {
     int samples = 0;                      ///< per pixel, on average

@@ -1,6 +1,8 @@
 // What shines from one direction of the surroundings.
 #pragma once
 
+#include <cmath>
+
 #include "render/palette.hpp"
 #include "render/surface.hpp"
 
@@ -32,16 +34,29 @@ void lamp_light(const Environment& sky, const Palette& palette, const Vec3& dire
     }
 }
 
-/// All of a sky that is not polarised.
-template <class Visit>
-void sky_light(const Environment& sky, const Palette& palette, const Vec3& direction,
-               const Visit& visit) {
-    if (sky.formulas.empty()) {
-        smooth_light(sky, palette, direction, visit);
-    } else {
-        visit(palette.illuminant, formula_light(sky, direction).s0);
+/// The y of the sky's Stokes vectors: unit, across the direction, as near to `up` as can be.
+[[nodiscard]] inline Vec3 up_across(const Vec3& direction, const Vec3& up) {
+    Vec3 pole = up;
+    if (std::abs(dot(direction, up)) >= 1 - 1e-12) {
+        pole = std::abs(up.z) < 0.9 ? Vec3{0, 0, 1} : Vec3{1, 0, 0};
     }
-    lamp_light(sky, palette, direction, visit);
+    return normalised(pole - dot(pole, direction) * direction);
+}
+
+/// All of a sky: see(emitter, seen), where seen_of(stokes, up) is what is seen of
+/// light of that Stokes vector, on axes of which y is towards `up`.
+template <class SeenOf, class See>
+void sky_light(const Environment& sky, const Palette& palette, const Vec3& direction,
+               const SeenOf& seen_of, const See& see) {
+    const Stokes seen = seen_of(sky.state, Vec3{0, 1, 0});
+    const auto add = [&](const Emitter& light, double strength) { see(light, strength * seen); };
+    if (sky.formulas.empty()) {
+        smooth_light(sky, palette, direction, add);
+    } else {
+        const Vec3 up = normalised(sky.to_own.inverse().vector({0, 1, 0}));
+        see(palette.illuminant, seen_of(formula_light(sky, direction), up));
+    }
+    lamp_light(sky, palette, direction, add);
 }
 
 }  // namespace icespar

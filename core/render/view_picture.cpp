@@ -1,232 +1,41 @@
-// One trace of the view, or one a wavelength; each exit's light is looked up once and its polygon
-// drawn with exact coverage.
+// One trace of the view, or one a wavelength, in batches that each span the spectrum.
 #include "render/view_picture.hpp"
 
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cmath>
+#include <functional>
+#include <numeric>
+#include <thread>
 
-#include "render/sampler.hpp"
-#include "render/sky_light.hpp"
-#include "render/stone_optics.hpp"
-#include "views/raster.hpp"
-#include "views/transmission.hpp"
-#include "views/view.hpp"
+#include "render/view_painter.hpp"
 
 namespace icespar {
 namespace {
 
 constexpr int default_wavelengths = 64;
-/// Traced at once, whatever the number of threads, and added in order.
-constexpr int batch = 8;
-/// Relative error of a picture for which no bound is given.
-constexpr double default_error = 0.004;
-/// So many beams, followed exactly, wait in about a gigabyte; a batch shares it.
-constexpr std::uint64_t most_beams = 1'000'000;
-/// Less of the light than this need not be sampled to be a good picture.
-constexpr double default_bound = 1e-3;
 
-/// From the picture of a view, in the stone's units, to pixels from the top left.
-class PixelMap {
-public:
-    PixelMap(const Camera& camera, int width, int height, const PictureFrame& frame) {
-        const double volume = dot(camera.direction, cross(camera.right, camera.up));
-        const Vec3 u = (width / volume) * cross(camera.up, camera.direction),
-                   v = (-height / volume) * cross(camera.direction, camera.right);
-        const Vec3 middle = frame.centre - camera.location;
-        x_ = {dot(middle, u) + 0.5 * width, dot(frame.right, u), dot(frame.up, u)};
-        y_ = {dot(middle, v) + 0.5 * height, dot(frame.right, v), dot(frame.up, v)};
-    }
-    [[nodiscard]] Point2 of(const Point2& p) const { return {x_(p), y_(p)}; }
-    /// A number of the view's as one of pixels.
-    [[nodiscard]] Affine of(const Affine& f) const {
-        const double volume = x_.dx * y_.dy - x_.dy * y_.dx;
-        const double dx = (f.dx * y_.dy - f.dy * y_.dx) / volume,
-                     dy = (f.dy * x_.dx - f.dx * x_.dy) / volume;
-        return {f.value - dx * x_.value - dy * y_.value, dx, dy};
-    }
-    /// Pixels per unit of area.
-    [[nodiscard]] double scale() const { return std::abs(x_.dx * y_.dy - x_.dy * y_.dx); }
-
-private:
-    Affine x_, y_;
-};
-
-/// The same lights, with the colour of what they have between two of the sampler's wavelengths: it
-/// is exact however few there are.
-Palette between(Palette palette, double u0, double u1, const WavelengthSampler& wavelengths,
-                const Bands& bands) {
-    constexpr int draws = 32;
-    const double share = (u1 - u0) / draws;
-    std::vector<WavelengthSampler::Draw> at;
-    for (int i = 0; i < draws; ++i) at.push_back(wavelengths.draw(u0 + (i + 0.5) * share));
-    const auto restricted = [&](Emitter& e) {
-        e.rgb = {};
-        std::fill(e.bands.begin(), e.bands.end(), 0.0);
-        for (const WavelengthSampler::Draw& d : at) {
-            const double value = share * e.radiance(d.wavelength_nm);
-            for (std::size_t c = 0; c < 3; ++c) e.rgb[c] += value * d.rgb[c];
-            if (bands.count == 0) continue;
-            e.bands[static_cast<std::size_t>(bands.of(d.wavelength_nm))] +=
-                value * d.per_density / bands.width();
-        }
-    };
-    for (Emitter* e : {&palette.below, &palette.above, &palette.illuminant}) restricted(*e);
-    for (Emitter& e : palette.sky) restricted(e);
-    for (Emitter& e : palette.discs) restricted(e);
-    return palette;
+/// Numbers from 0 to `count` - 1 in an order in which neighbours are far apart.
+int spread(int i, int count) {
+    int step = std::max(1, static_cast<int>(0.618 * count));
+    while (std::gcd(step, count) > 1) ++step;
+    return static_cast<int>((count / 2 + static_cast<long long>(i) * step) % count);
 }
-
-class ViewPainter {
-public:
-    ViewPainter(const Scene& scene, const Palette& palette, const WavelengthSampler& wavelengths,
-                const RenderOptions& options, const Film& film)
-        : scene_(scene),
-          palette_(palette),
-          wavelengths_(wavelengths),
-          options_(options),
-          film_(film),
-          values_(film.channels() * film.components()) {
-        const Camera& camera = scene.camera;
-        const Vec3 d = normalised(camera.direction);
-        view_ = {d, cross(camera.right - dot(camera.right, d) * d, d)};
-    }
-
-    [[nodiscard]] Raster raster() const { return {film_.width(), film_.height(), values_}; }
-
-    /// What light of part `i` of `parts` of the spectrum makes of the picture: all of it travels as
-    /// that of the part's middle.
-    ViewPicture paint(int i, int parts, const std::function<bool()>& go_on, Raster& raster) const {
-        const double share = 1.0 / parts;
-        Sampler sampler(film_, wavelengths_, 0);
-        sampler.at_wavelength((i + 0.5) * share);
-        const Palette colours =
-            parts == 1 ? palette_
-                       : between(palette_, i * share, (i + 1) * share, wavelengths_, film_.bands());
-        const Gem& gem = scene_.gems[0];
-        const ViewOptions options = how(parts, pixels_of(gem.stone), go_on);
-        const StoneOptics optics(gem.crystal, sampler.wavelength_nm());
-        const Exits part =
-            trace_view(gem.stone, optics.medium(), view_, options, optics.absorption());
-        const Exits exits = part.expanded();
-        const PixelMap map(scene_.camera, film_.width(), film_.height(), exits.frame);
-
-        const auto light = [&](const Vec3& direction, const Stokes& weight) {
-            sampler.begin(0);
-            sky_light(scene_.environment, colours, direction,
-                      [&](const Emitter& emitter, double strength) {
-                          sampler.see(emitter, strength * weight, false);
-                      });
-        };
-        light(exits.frame.direction, {1, 0, 0, 0});
-        const std::vector<double> background = sampler.sample;
-        const double right = film_.width(), bottom = film_.height();
-        const Point2 corners[] = {{0, 0}, {right, 0}, {right, bottom}, {0, bottom}};
-        raster.add(corners, background);
-        Polygon polygon;
-        ViewPicture out;
-        for (std::size_t e = 0; e < exits.size(); ++e) {
-            light(exits.direction[e], exits.weight[e]);
-            // What the stone's outside mirrors stands before the background.
-            if (exits.hits[e] == 1) {
-                for (std::size_t v = 0; v < background.size(); ++v) {
-                    sampler.sample[v] -= background[v];
-                }
-            }
-            polygon.clear();
-            for (std::size_t c = exits.outline[e]; c < exits.outline[e + 1]; ++c) {
-                polygon.push_back(map.of(exits.corners[c]));
-            }
-            const double area = std::abs(extent(polygon).area);
-            if (exits.group[e] > 0) out.variance += squares(sampler.sample, area);
-            if (exits.depth.empty() || area < least_shaded) {
-                raster.add(polygon, sampler.sample);
-                continue;
-            }
-            const Affine depth = map.of(exits.depth[e]);
-            const double mean = mean_transmission(polygon, depth);
-            each_strip(polygon, depth, [&](PolygonView strip, const Affine& passed) {
-                raster.add(strip, sampler.sample,
-                           {passed.value / mean, passed.dx / mean, passed.dy / mean});
-            });
-        }
-        const double per_pixel = share * map.scale() / (right * bottom);
-        out.dropped = per_pixel * (exits.residue + exits.cut);
-        out.absorbed = per_pixel * exits.absorbed;
-        out.beams = exits.beams;
-        return out;
-    }
-
-private:
-    /// Pixels across which the transmission of a beam may vary.
-    static constexpr double least_shaded = 2;
-
-    /// A beam of the sample stands for others that lie about it as likely: by how much its light
-    /// adds to the squared errors of pixels of the size 1, on which it may lie anyhow.
-    [[nodiscard]] double squares(const std::vector<double>& sample, double area) const {
-        constexpr double shared = 1.25;
-        const auto step = static_cast<std::size_t>(film_.components());
-        const double light = xyz_from_rgb({sample[0], sample[step], sample[2 * step]})[1];
-        return light * light * area * area / (area + shared);
-    }
-
-    /// Pixels that the stone covers in the view.
-    [[nodiscard]] double pixels_of(const Stone& stone) const {
-        const Camera& c = scene_.camera;
-        double area = 0;
-        for (const Facet& f : stone.facets)
-            area += 0.5 * f.area * std::abs(dot(f.normal, view_.direction));
-        const double picture = std::abs(dot(view_.direction, cross(c.right, c.up)));
-        return area / picture * film_.width() * film_.height();
-    }
-
-    /// Of one of so many parts of the spectrum, whose errors are their own.
-    [[nodiscard]] ViewOptions how(int parts, double pixels,
-                                  const std::function<bool()>& go_on) const {
-        ViewOptions options;
-        // Survivors of the sample are spread over the pixels, and are about as large.
-        constexpr double spread = 0.7, least_error = 1e-9;
-        const double error = options_.error > 0 ? options_.error : default_error;
-        options.error = spread * error * std::sqrt(parts / std::max(1.0, pixels));
-        if (options_.error == 0 && options_.seconds > 0) options.error = least_error;
-        options.bound = {};
-        if (options_.error == 0 && options_.seconds == 0 && parts == 1)
-            options.bound = default_bound;
-        options.max_beams = parts > 1 ? most_beams / batch : most_beams;
-        constexpr double exact_part = 0.4;
-        options.seconds = exact_part * options_.seconds / parts;
-        options.max_hits = scene_.max_trace_level;
-        options.outlines = true;
-        options.weights = film_.components() == 4 ? Weights::stokes : Weights::intensity;
-        options.go_on = go_on;
-        return options;
-    }
-
-    const Scene& scene_;
-    const Palette& palette_;
-    const WavelengthSampler& wavelengths_;
-    const RenderOptions& options_;
-    const Film& film_;
-    int values_;
-    ParallelView view_;
-};
 
 }  // namespace
 
 std::string view_obstacle(const Scene& scene) {
-    const Environment& sky = scene.environment;
     if (scene.camera.kind != Camera::Kind::orthographic) return "the camera is not orthographic";
-    if (scene.camera.lens_radius > 0 || scene.camera.analyser)
-        return "the camera has a lens or an analyser";
+    if (scene.camera.lens_radius > 0) return "the camera has a lens";
     if (scene.gems.size() != 1 || !scene.things.empty())
         return "there is more than one stone alone";
     const auto& fade = scene.gems[0].crystal.fade;
     if (fade && !fade->exponential()) return "the stone's attenuation is not exponential";
     if (scene.gems[0].crystal.active()) return "the stone turns polarisation";
-    if (sky.state != Stokes{1, 0, 0, 0} || sky.formulas.size() > 1) return "the sky is polarised";
     return {};
 }
 
@@ -235,47 +44,73 @@ ViewPicture add_view(const Scene& scene, const Palette& palette,
                      const ProgressCallback& progress, Film& film) {
     const auto start = std::chrono::steady_clock::now();
     const ViewPainter painter(scene, palette, wavelengths, options, film);
+    const int parts = !scene.gems[0].crystal.dispersive() ? 1
+                      : options.samples > 0               ? options.samples
+                                                          : default_wavelengths;
     Progress state;
     ViewPicture out;
-    const auto report = [&] {
+    // Traces may take long: this thread looks at the caller's wish between their beams.
+    std::atomic<bool> stop{false};
+    const auto own_thread = std::this_thread::get_id();
+    const auto go_on = [&] {
+        if (std::this_thread::get_id() != own_thread) return !stop;
         state.seconds =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-        if (progress && !progress(state)) out.interrupted = true;
-        return !out.interrupted;
+        if (progress && !progress(state)) stop = true;
+        return !stop;
     };
     Raster sum = painter.raster();
-    if (!scene.gems[0].crystal.dispersive()) {
-        const ViewPicture all = painter.paint(0, 1, report, sum);
-        out.dropped = all.dropped;
-        out.absorbed = all.absorbed;
-        out.variance = all.variance;
-        out.beams = all.beams;
-    } else {
-        out.wavelengths = options.samples > 0 ? options.samples : default_wavelengths;
-        tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
-        std::vector<Raster> rasters(batch, painter.raster());
-        std::vector<ViewPicture> parts(batch);
-        for (int done = 0; done < out.wavelengths && report(); done += batch) {
-            const int count = std::min(batch, out.wavelengths - done);
-            arena.execute([&] {
-                tbb::parallel_for(0, count, [&](int i) {
-                    const auto at = static_cast<std::size_t>(i);
-                    rasters[at] = painter.raster();
-                    parts[at] = painter.paint(done + i, out.wavelengths, {}, rasters[at]);
-                });
-            });
-            for (int i = 0; i < count; ++i) {
+    PaintedPart whole;
+    tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
+    const int batches = (parts + ViewPainter::batch - 1) / ViewPainter::batch;
+    const auto add = [&](const ViewPainter& by, int b, const std::function<bool()>& asks) {
+        // Parts with `batches` - 1 between them; batches that follow one another are far apart.
+        const int first = spread(b, batches), count = (parts - first + batches - 1) / batches;
+        std::vector<Raster> rasters(static_cast<std::size_t>(count), by.raster());
+        std::vector<PaintedPart> painted(rasters.size());
+        arena.execute([&] {
+            tbb::parallel_for(0, count, [&](int i) {
                 const auto at = static_cast<std::size_t>(i);
-                sum.add(rasters[at]);
-                out.dropped += parts[at].dropped;
-                out.absorbed += parts[at].absorbed;
-                out.variance += parts[at].variance;
-                out.beams += parts[at].beams;
-            }
-            state.done = static_cast<double>(done + count) / out.wavelengths;
+                painted[at] = by.paint(first + i * batches, parts, asks, rasters[at]);
+            });
+        });
+        // Some wavelengths of what was stopped lack more light than others.
+        if (stop && asks && parts > 1) return false;
+        for (std::size_t i = 0; i < rasters.size(); ++i) {
+            sum.add(rasters[i]);
+            whole.add(painted[i]);
+        }
+        out.wavelengths += count;
+        state.done = static_cast<double>(out.wavelengths) / parts;
+        return true;
+    };
+    int done = 0;
+    bool begun = false;
+    while (done < batches && go_on()) {
+        begun = true;
+        if (!add(painter, done, go_on)) break;
+        ++done;
+    }
+    if (begun && done == 0) {
+        RenderOptions coarse = options;
+        coarse.error = 0.05;
+        coarse.seconds = 0;
+        add({scene, palette, wavelengths, coarse, film}, 0, {});
+    }
+    out.interrupted = stop;
+    out.beams = whole.beams;
+    if (out.wavelengths == 0) return out;
+    std::vector<double> scale(whole.white.size(), 1.0);
+    if (out.wavelengths < parts) {
+        const std::vector<double> white = painter.white();
+        for (std::size_t c = 0; c < scale.size(); ++c) {
+            constexpr double least = 0.02;  // of the light, for a channel to stand for all of it
+            if (whole.white[c] > least * white[c]) scale[c] = white[c] / whole.white[c];
         }
     }
-    if (out.interrupted) return out;
+    const double missing = static_cast<double>(parts) / out.wavelengths;
+    out.dropped = missing * whole.dropped;
+    out.absorbed = missing * whole.absorbed;
     sum.finish();
     std::vector<double> sample;
     double light = 0;
@@ -284,12 +119,13 @@ ViewPicture add_view(const Scene& scene, const Palette& palette,
         for (int x = 0; x < film.width(); ++x) {
             const auto pixel = sum.pixel(x, y);
             sample.assign(pixel.begin(), pixel.end());
+            for (std::size_t v = 0; v < sample.size(); ++v) sample[v] *= scale[v / step];
             light += xyz_from_rgb({sample[0], sample[step], sample[2 * step]})[1];
             film.add(x, y, sample);
         }
     }
     const double pixels = static_cast<double>(film.width()) * film.height();
-    if (light > 0) out.error = std::sqrt(out.variance * pixels) / light;
+    if (light > 0) out.error = missing * std::sqrt(whole.variance * pixels) / light;
     return out;
 }
 

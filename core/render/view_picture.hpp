@@ -14,17 +14,18 @@ namespace icespar {
 struct ViewPicture {
     double dropped = 0;       ///< mean light per pixel that was neither followed nor sampled
     double absorbed = 0;      ///< mean light per pixel that the stone kept
-    double variance = 0;      ///< of the sample of the rest, summed over the pixels' luminance
-    double error = 0;         ///< by that the relative RMS error of the picture
+    double error = 0;         ///< the relative RMS error of the picture, by the sample of the rest
     std::uint64_t beams = 0;  ///< followed from one facet to the next
-    int wavelengths = 1;
-    bool interrupted = false;  ///< nothing was added to the film
+    int wavelengths = 0;      ///< traced; 0: nothing was added to the film
+    bool interrupted = false;
 };
 
 /// Adds the picture to the film as one sample. Follows light exactly until a sample of the rest has
 /// about the relative error options.error (0.004 when that is 0; then until a thousandth is left,
 /// at least) or for options.seconds; a stone that treats wavelengths differently is traced for
-/// options.samples of them (64 when that is 0).
+/// options.samples of them (64 when that is 0). Interrupted, it adds the wavelengths
+/// that are done, as bright together as all are; of one wavelength what was followed; of the first
+/// few of many a coarse picture.
 [[nodiscard]] ViewPicture add_view(const Scene& scene, const Palette& palette,
                                    const WavelengthSampler& wavelengths,
                                    const RenderOptions& options, const ProgressCallback& progress,

@@ -321,28 +321,17 @@ private:
     /// What the sensor sees of light whose Stokes vector refers to x right, y towards `up`.
     static Stokes seen_of(const Branch& b, const Stokes& light, const Vec3& up) {
         if (light.s1 == 0 && light.s2 == 0 && light.s3 == 0) return light.s0 * b.unpolarised();
-        Vec3 pole = up;
-        if (std::abs(dot(b.ray, up)) >= 1 - 1e-12) {
-            pole = std::abs(up.z) < 0.9 ? Vec3{0, 0, 1} : Vec3{1, 0, 0};
-        }
-        const Vec3 y = normalised(pole - dot(pole, b.ray) * b.ray);
+        const Vec3 y = up_across(b.ray, up);
         return b.polarised(light, cross(b.ray, y), y);
     }
 
     void see_environment(const Branch& b, Guide& guide) {
-        const Environment& sky = world_.scene().environment;
-        const Stokes seen = seen_of(b, sky.state, {0, 1, 0});
-        const auto add = [&](const Emitter& light, double strength) {
-            guide.see(light, strength * seen, b.one_wavelength);
-        };
-        if (!sky.formulas.empty()) {
-            const Vec3 up = normalised(sky.to_own.inverse().vector({0, 1, 0}));
-            guide.see(palette_.illuminant, seen_of(b, formula_light(sky, b.ray), up),
-                      b.one_wavelength);
-        } else {
-            smooth_light(sky, palette_, b.ray, add);
-        }
-        lamp_light(sky, palette_, b.ray, add);
+        sky_light(
+            world_.scene().environment, palette_, b.ray,
+            [&](const Stokes& light, const Vec3& up) { return seen_of(b, light, up); },
+            [&](const Emitter& light, const Stokes& seen) {
+                guide.see(light, seen, b.one_wavelength);
+            });
     }
 
     void meet_sheet(const Branch& b, const Vec3& point, const Hit& hit, Guide& guide) {

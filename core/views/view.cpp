@@ -36,6 +36,9 @@ void check(const Medium& medium, const ParallelView& view, const ViewOptions& op
     if (medium.birefringent && options.weights == Weights::averaged) {
         throw Error("a birefringent stone has no averaged light; ask for intensity or stokes");
     }
+    if (options.weights == Weights::averaged && (options.polarised || options.analyser)) {
+        throw Error("averaged light has no polarisation; ask for intensity or stokes");
+    }
     if (medium.n_o < 1 && !medium.birefringent) {
         throw Error("views need a stone of index 1 or more");
     }

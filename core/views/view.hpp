@@ -2,6 +2,7 @@
 // from, and how much is not known.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -12,6 +13,7 @@
 #include "crystal/medium.hpp"
 #include "math/symmetric.hpp"
 #include "math/vec3.hpp"
+#include "polarisation/mueller.hpp"
 #include "polarisation/stokes.hpp"
 #include "stone/stone.hpp"
 
@@ -52,12 +54,16 @@ struct ViewOptions {
     double seconds = 0;  ///< or after this time; 0: no bound of this kind
     int max_hits = 0;    ///< interface events of a path, the entry being the first; 0: any number
     /// What is left is then sampled, in groups, so that radiances from 0 to 1 add up to within
-    /// about this standard error, but for at most as long as exact tracing took; 0: it is left.
-    double error = 0;
+    /// about this standard error, but by no more beams than `sample_effort` times those that were
+    /// followed exactly; 0: it is left.
+    double error = 0, sample_effort = 1;
     std::uint64_t seed = 0;  ///< of the sample
     double least_power = 0;  ///< fainter light is not followed on from a face where part of it left
     bool symmetry = true;    ///< trace once what images of one another would repeat
     bool outlines = false;   ///< keep the polygons too
+    bool polarised = false;  ///< keep what is seen of polarised light too; without symmetry
+    /// Before the viewer, on picture-right and picture-up; without symmetry.
+    std::optional<Jones> analyser{};
     /// Asked now and then; tracing ends when it says false. It must not throw.
     std::function<bool()> go_on{};
 };
@@ -97,6 +103,10 @@ struct Exits {
     /// What the viewer sees of unpolarised radiance 1 from there; the mean over the beam, if the
     /// stone absorbs.
     std::vector<Stokes> weight;
+    /// If that was asked for: the same of Stokes vectors S1, S2 and S3 of 1, on the axes `axis` and
+    /// axis x direction.
+    std::vector<std::array<Stokes, 3>> polarised;
+    std::vector<Vec3> axis;    ///< unit, across `direction`
     std::vector<double> area;  ///< in the picture, in the stone's units of length squared
     std::vector<std::int32_t> entry, facet;  ///< where it meets the stone, and where it leaves it
     std::vector<std::int32_t> hits;          ///< interface events, both included
@@ -140,7 +150,7 @@ struct Estimate {
 /// Best first by weight times area, so that what is untraced is small soon. The result does not
 /// depend on anything but the arguments, unless a time is given. Throws Error for a view without
 /// direction, options out of range, and media that absorb, turn polarisation or, where s and p are
-/// averaged, are birefringent.
+/// averaged, are birefringent, as for polarisation where s and p are averaged.
 [[nodiscard]] Exits trace_view(const Stone& stone, const Medium& medium, const ParallelView& view,
                                const ViewOptions& options = {}, const Absorption& absorption = {});
 

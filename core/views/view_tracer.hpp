@@ -45,7 +45,7 @@ public:
         out_.entry_untraced = out_.entry_cut = out_.entry_area;
         symmetry_ = no_symmetry(stone_);
         measure();
-        if (options_.symmetry) fold();
+        if (options_.symmetry && !options_.polarised && !options_.analyser) fold();
         out_.images = symmetry_.images;
         for (std::size_t i = 0; i < stone_.facets.size(); ++i) {
             if (out_.entry_area[i] > 0) enter(static_cast<int>(i));
@@ -118,7 +118,8 @@ private:
 
     /// A few of the beams that are left go on for all of them.
     void sample() {
-        const double most = static_cast<double>(out_.beams) / Sample::beams_a_survivor;
+        const double most =
+            options_.sample_effort * static_cast<double>(out_.beams) / Sample::beams_a_survivor;
         Sample rest(queue_, waiting_, std::min(survivors_wanted(), most), options_.seed);
         out_.groups = Sample::groups;
         out_.residue -= waiting_;
@@ -212,7 +213,7 @@ private:
         beam_.entry = beam_.left = facet;
         beam_.hits = 1;
         // Launched with x along s and y = x cross k, which is -p.
-        const Pair launched = Pair{}.times(1, -1);
+        const Pair launched = at_viewer().times(1, -1);
         const Vec3 back = k - (2 * dot(normal, k)) * normal;
         Vec3 s = right;
         if constexpr (crystal) {
@@ -220,7 +221,7 @@ private:
             const Interface face(air_, medium_, normal, incident);
             s = face.s_direction();
             const Pair arriving = launched.turned(dot(s, right), dot(s, cross(k, right)));
-            leave(back, arriving.through(transfer(face, false)));
+            leave(back, s, arriving.through(transfer(face, false)));
             send_modes(face, true, false, [&](std::size_t m) {
                 return Response::entering(arriving, face.flux_amplitude(0, true, m),
                                           face.flux_amplitude(1, true, m));
@@ -229,12 +230,19 @@ private:
             const Pair arriving = on_face(launched, k, 1, normal, s);
             const double q = dot(normal, k);
             const Fresnel through = fresnel(1, medium_.n_o, q);
-            leave(back, arriving.times(through.r_s, through.r_p));
+            leave(back, s, arriving.times(through.r_s, through.r_p));
             beam_.k = k + (through.q - q) * normal;
             beam_.s = s;
             beam_.response = arriving.times(through.t_s, through.t_p);
             send(false);
         }
+    }
+
+    [[nodiscard]] Pair at_viewer() const {
+        if constexpr (!std::is_same_v<Response, AveragedResponse>) {
+            if (options_.analyser) return Pair::behind(*options_.analyser);
+        }
+        return {};
     }
 
     /// The direction of energy, not normalised.
@@ -310,8 +318,9 @@ private:
             const auto m = static_cast<std::size_t>(beam_.mode);
             const auto before = beam_.response;
             if (face.propagating(true, 0)) {
-                leave(face.wave_vector(true, 0), before.leaving(face.flux_amplitude(m, true, 0),
-                                                                face.flux_amplitude(m, true, 1)));
+                leave(face.wave_vector(true, 0), face.s_direction(),
+                      before.leaving(face.flux_amplitude(m, true, 0),
+                                     face.flux_amplitude(m, true, 1)));
             }
             send_modes(face, false, face.propagating(true, 0), [&](std::size_t i) {
                 return before.times(face.flux_amplitude(m, false, i));
@@ -321,7 +330,7 @@ private:
             const Pair incident = on_face(beam_.response, k, n, normal, beam_.s);
             const Fresnel face = fresnel(n, 1, q);
             if (face.passes) {
-                leave(k + (face.q - q) * normal, incident.times(face.t_s, face.t_p));
+                leave(k + (face.q - q) * normal, beam_.s, incident.times(face.t_s, face.t_p));
             }
             beam_.response = incident.times(face.r_s, face.r_p);
             beam_.k = k - (2 * q) * normal;
@@ -353,9 +362,19 @@ private:
         queue_.push(beam_, weight / out_.area_total, polygon);
     }
 
-    void leave(const Vec3& k, const Pair& response) {
+    /// `s` is across k, of any length.
+    void leave(const Vec3& k, const Vec3& s, const Pair& response) {
+        const double share = beam_.passed * beam_.gain;
         out_.direction.push_back(normalised(k));
-        out_.weight.push_back(beam_.passed * beam_.gain * response.unpolarised());
+        out_.weight.push_back(share * response.unpolarised());
+        if constexpr (!std::is_same_v<Response, AveragedResponse>) {
+            if (options_.polarised) {
+                out_.axis.push_back(normalised(s));
+                out_.polarised.push_back({share * response.seen({0, 1, 0, 0}),
+                                          share * response.seen({0, 0, 1, 0}),
+                                          share * response.seen({0, 0, 0, 1})});
+            }
+        }
         out_.area.push_back(beam_.area);
         out_.entry.push_back(beam_.entry);
         out_.facet.push_back(beam_.left);

@@ -1,6 +1,7 @@
 // Pictures by exact beams are those of the other engines, with less noise or none.
 #include <catch2/catch.hpp>
 
+#include "polarisation/mueller.hpp"
 #include "support/gem_scenes.hpp"
 
 using namespace icespar;
@@ -100,6 +101,81 @@ TEST_CASE("exact beams and pixel beams make the same picture, polarisation inclu
         CHECK(apart(exact.image.rgb, beams.image.rgb) < noise);
         CHECK(apart(exact.image.rgb_stokes, beams.image.rgb_stokes) < noise);
         CHECK(std::abs(mean_of(exact.image.rgb, 1, 3) - mean_of(beams.image.rgb, 1, 3)) < 0.003);
+    }
+}
+
+TEST_CASE("a polarised sky behind an analyser is by exact beams what rays see of it", "[views]") {
+    Environment steady = lamps_and_slope();
+    steady.state = {1, 0.5, -0.3, 0.6};
+    for (const Crystal& crystal : {glass(1.8), calcite(normalised(Vec3{0.3, 0.2, 1}))}) {
+        for (const bool stokes : {false, true}) {
+            Scene scene = parallel(crystal, steady);
+            if (!stokes) scene.camera.analyser = jones_polariser(0.4);
+            CAPTURE(stokes, crystal.birefringent());
+            const Rendering exact = rendered(scene, Engine::automatic, 0, 0.01, stokes),
+                            rays = rendered(scene, Engine::rays, 128, 0, stokes);
+            CHECK(exact.report.engine == Engine::exact);
+            const double noise = 4 * rays.report.error * mean_of(rays.image.rgb, 1, 3);
+            CAPTURE(noise);
+            CHECK(noise < 0.15);
+            CHECK(apart(exact.image.rgb, rays.image.rgb) < noise);
+            if (stokes) CHECK(apart(exact.image.rgb_stokes, rays.image.rgb_stokes) < noise);
+            for (std::size_t c = 0; c < 3; ++c) {
+                CHECK(std::abs(mean_of(exact.image.rgb, c, 3) - mean_of(rays.image.rgb, c, 3)) <
+                      noise / 8);
+            }
+        }
+    }
+}
+
+TEST_CASE("between crossed polarisers nothing is seen beside a stone, by exact beams", "[views]") {
+    Environment sky = furnace();
+    sky.state = {1, 1, 0, 0};
+    Scene scene = parallel(glass(1.5), sky);
+    scene.camera.direction = {0, 0, -1};
+    scene.camera.right = {2.6, 0, 0};
+    scene.camera.up = {0, 2.6, 0};
+    scene.camera.location = {0, 0, 5};
+    const auto corner = [&](double angle) {
+        scene.camera.analyser = jones_polariser(angle);
+        return rendered(scene, Engine::exact, 0, 0.02, false).image.rgb[1];
+    };
+    CHECK(std::abs(corner(0) - 1) < 1e-6);
+    CHECK(std::abs(corner(std::numbers::pi / 2)) < 1e-6);
+    CHECK(std::abs(corner(std::numbers::pi / 6) - 0.75) < 1e-6);
+}
+
+TEST_CASE("an interrupted picture by exact beams has what was followed, and says what is missing",
+          "[views][furnace]") {
+    Crystal dispersive;
+    dispersive.indices = {IndexFunction::cauchy(2.3784, 0.0134)};
+    const auto stopped = [&](const Crystal& crystal, const ProgressCallback& progress) {
+        RenderOptions options = small(16, 0);
+        options.engine = Engine::exact;
+        options.error = 1e-3;
+        options.threads = 1;
+        const Rendering r = render(parallel(crystal, furnace()), options, progress);
+        CHECK(r.report.interrupted);
+        return r;
+    };
+    const auto twice = [asked = 0](const Progress&) mutable { return asked++ < 2; };
+    const Crystal plain = calcite(normalised(Vec3{0.3, 0.2, 1}));
+    for (const Crystal& crystal : {plain, dispersive}) {
+        CHECK(stopped(crystal, [](const Progress&) { return false; }).report.paths == 0);
+    }
+    const Rendering part = stopped(plain, twice);
+    CAPTURE(part.report.dropped);
+    CHECK(part.report.dropped > 0.01);
+    CHECK(part.report.dropped < 0.5);
+    CHECK(std::abs(mean_of(part.image.rgb, 1, 3) + part.report.dropped - 1) < 1e-4);
+    const Rendering coarse = stopped(dispersive, twice);
+    CHECK(coarse.report.samples == 8);
+    CHECK(coarse.report.error > 0.01);
+    CHECK(std::abs(mean_of(coarse.image.rgb, 1, 3) - 1) < 0.01);
+    const Rendering r = stopped(dispersive, [](const Progress& p) { return p.done == 0; });
+    CHECK(r.report.samples == 8);
+    for (std::size_t c = 0; c < 3; ++c) {
+        CHECK(std::abs(mean_of(r.image.rgb, c, 3) + r.report.dropped - 1) < 1e-3);
     }
 }
 
