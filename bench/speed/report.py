@@ -1,14 +1,10 @@
 """docs/speed.md and its plots."""
 
-import io
 import math
 import pathlib
 
-import matplotlib
-
-matplotlib.use("Agg")
-from matplotlib import pyplot as plt  # noqa: E402
-from PIL import Image  # noqa: E402
+import exact
+from plots import plt, save, table
 
 ERRORS = (0.2, 0.1, 0.05, 0.02)
 COLOURS = {"icespar, beams": "tab:blue", "icespar, rays": "tab:cyan", "Mitsuba": "tab:red", "POV-Ray": "tab:orange"}
@@ -72,14 +68,6 @@ def plot_work(rows, path):
     save(figure, path)
 
 
-def save(figure, path):
-    picture = io.BytesIO()
-    figure.savefig(picture, format="png", dpi=90)
-    plt.close(figure)
-    path.parent.mkdir(parents=True, exist_ok=True)
-    Image.open(picture).convert("RGB").quantize(64).save(path, optimize=True)
-
-
 def seconds_text(seconds, measured):
     if math.isnan(seconds):
         return "-"
@@ -87,13 +75,7 @@ def seconds_text(seconds, measured):
     return text if measured else f"({text})"
 
 
-def table(header, rows):
-    lines = ["| " + " | ".join(header) + " |", "|" + "---|" * len(header)]
-    lines += ["| " + " | ".join(row) + " |" for row in rows]
-    return "\n".join(lines) + "\n"
-
-
-def write_report(folder, where, curves, needs, work, threads):
+def write_report(folder, where, curves, needs, work, beams, threads):
     text = HEAD.format(where=where)
     for scene in dict.fromkeys(c.scene for c in curves):
         plot(curves, scene, pathlib.Path(folder) / "speed" / f"{scene}.png")
@@ -121,6 +103,7 @@ def write_report(folder, where, curves, needs, work, threads):
         ["of", "number", "seconds to read", "seconds to render"],
         ([what, f"{n:,}", f"{reading:.3f}", f"{rendering:.3f}"] for what, n, reading, rendering in work),
     )
+    text += exact.section(beams, folder)
     text += "\n## Threads\n\n"
     if not threads:
         text += "Not measured: the machine was busy with other work.\n"

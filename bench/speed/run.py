@@ -15,6 +15,7 @@ import pathlib
 import platform
 import tempfile
 
+import exact
 import icespar
 import peers
 from curves import Curve, error_of
@@ -97,13 +98,14 @@ def main():
     header = ["scene", "part", "engine", "samples", "lesser_s", "full_s", "lesser_rmse", "full_rmse"]
     needs = written("speed_needs.csv", header, list(ours.needs(runs)))
     sizes = written("speed_work.csv", ["what", "number", "reading_s", "rendering_s"], list(work(options.quick)))
+    beams = written("speed_exact.csv", exact.HEADER, list(exact.costs(options.quick)))
     busy = os.getloadavg()[0] > 1.5  # elapsed time would say more of other programs
     pairs = [] if busy else list(ours.threads(runs))
     threads = written("speed_threads.csv", ["scene", "engine", "one_s", "two_s"], pairs)
     if options.docs:
         where = f"{machine()}, {datetime.date.today():%B %Y}, icespar {icespar.__version__}, {size}x{size} pixels"
         where += " (other renderers in an earlier run)" if options.keep_peers else ""
-        write_report(options.docs, where, curves, needs, sizes, threads)
+        write_report(options.docs, where, curves, needs, sizes, beams, threads)
 
 
 if __name__ == "__main__":
