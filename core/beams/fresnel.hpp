@@ -47,9 +47,8 @@ template <class Pair>
     if (!(dot(across, across) > straight * n * n)) return response;
     // s may not lie quite across k, where k has turned since.
     const double c = n * dot(across, s), d = dot(across, cross(k, s));
-    const double whole = 1 / std::sqrt(c * c + d * d);
     s = across;
-    return response.turned(whole * c, whole * d);
+    return response.turned(c, d);
 }
 
 }  // namespace icespar

@@ -58,8 +58,12 @@ struct FullResponse {
         }
         /// From a sensor behind an analyser.
         [[nodiscard]] static Pair behind(const Jones& analyser) { return {analyser.m}; }
-        /// On axes turned so that the new s has components (c, d) along the old s and p.
+        /// On axes turned so that the new s, of any length, has components (c, d) along the old s
+        /// and p.
         [[nodiscard]] Pair turned(double c, double d) const {
+            const double size = std::sqrt(c * c + d * d);
+            c /= size;
+            d /= size;
             Pair out;
             for (std::size_t i = 0; i < 2; ++i) {
                 out.a[i] = {c * a[i][0] + d * a[i][1], c * a[i][1] - d * a[i][0]};
@@ -123,7 +127,8 @@ struct IntensityResponse {
                     x[0] * std::conj(x[1]) + y[0] * std::conj(y[1])};
         }
         [[nodiscard]] Pair turned(double c, double d) const {
-            const double cc = c * c, dd = d * d, cd = c * d, re = sp.real();
+            const double share = 1 / (c * c + d * d), re = sp.real();
+            const double cc = share * c * c, dd = share * d * d, cd = share * c * d;
             const double mixed = 2 * cd * re;
             return {cc * ss + dd * pp + mixed,
                     dd * ss + cc * pp - mixed,
