@@ -46,8 +46,8 @@ void FacetSearch::Planes::add(const Vec3& normal, double d) {
     distance.push_back(d);
 }
 
-void FacetSearch::Planes::pad() {
-    while (x.size() % Lanes::size() != 0) add({}, infinity);
+void FacetSearch::Planes::pad(std::size_t multiple) {
+    while (x.size() % multiple != 0) add({}, infinity);
 }
 
 FacetSearch::FacetSearch(const Stone& stone) : facets_(static_cast<int>(stone.facets.size())) {
@@ -62,27 +62,34 @@ FacetSearch::FacetSearch(const Stone& stone) : facets_(static_cast<int>(stone.fa
         first_around_.push_back(around_.x.size());
         for (const int facet : around) around_.add(normal(facet), distance(facet));
         neighbours_.insert(neighbours_.end(), around.begin(), around.end());
-        around_.pad();
+        around_.pad(Lanes::size());
         neighbours_.resize(around_.x.size(), -1);
     }
     first_around_.push_back(around_.x.size());
-    planes_.pad();
+    planes_.pad(2 * Lanes::size());
 }
 
 int FacetSearch::exit(const Vec3& o, const Vec3& d, int left, double& t) const {
     const Lanes ox = o.x, oy = o.y, oz = o.z, dx = d.x, dy = d.y, dz = d.z;
     const Lanes own = static_cast<double>(left);
-    Lanes best = infinity, place = -1.0;
     Lanes number([](auto i) { return static_cast<double>(i); });
-    for (std::size_t i = 0; i < planes_.x.size(); i += Lanes::size()) {
+    const auto look = [&](std::size_t i, Lanes& best, Lanes& place) {
         const Lanes nx = lanes(planes_.x, i), ny = lanes(planes_.y, i), nz = lanes(planes_.z, i);
         const Lanes ahead = nx * dx + ny * dy + nz * dz;
         const Lanes there = (lanes(planes_.distance, i) - (nx * ox + ny * oy + nz * oz)) / ahead;
-        const auto nearer = ahead > 0 && there < best && number != own;
+        const auto nearer = there < best && (ahead > 0 && number != own);
         simd::where(nearer, best) = there;
         simd::where(nearer, place) = number;
         number += static_cast<double>(Lanes::size());
+    };
+    // Two runs side by side, so that no comparison waits for the one before.
+    Lanes best = infinity, place = -1.0, best_odd = infinity, place_odd = -1.0;
+    for (std::size_t i = 0; i < planes_.x.size(); i += 2 * Lanes::size()) {
+        look(i, best, place);
+        look(i + Lanes::size(), best_odd, place_odd);
     }
+    simd::where(best_odd < best, place) = place_odd;
+    best = simd::min(best, best_odd);
     t = simd::hmin(best);
     if (!(t < infinity)) return -1;
     const auto lane = static_cast<std::size_t>(simd::find_first_set(best == Lanes(t)));

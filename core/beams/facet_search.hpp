@@ -46,8 +46,8 @@ private:
     struct Planes {
         std::vector<double> x, y, z, distance;
         void add(const Vec3& normal, double distance);
-        /// To whole vectors, with planes that are never ahead and never near.
-        void pad();
+        /// To a multiple of a number, with planes that are never ahead and never near.
+        void pad(std::size_t multiple);
     };
     int facets_;
     Vec3 centre_;
