@@ -5,9 +5,10 @@
 #include <type_traits>
 #include <vector>
 
-#include "beams/expansion.hpp"
+#include "beams/carry.hpp"
 #include "beams/facet_search.hpp"
 #include "beams/fresnel.hpp"
+#include "beams/index_surface.hpp"
 #include "beams/response.hpp"
 #include "crystal/loss.hpp"
 #include "interface/inner_face.hpp"
@@ -54,10 +55,7 @@ public:
     /// A colour is whatever number indices may depend on: dn_o and dn_e are their derivatives.
     void set_medium(const Medium& medium, double dn_o = 0, double dn_e = 0) {
         medium_ = medium;
-        swell_o_ = medium.n_o * dn_o;
-        swell_e_ = medium.n_e * dn_e;
-        eps_o_ = medium.n_o * medium.n_o;
-        eps_e_ = medium.n_e * medium.n_e;
+        surface_ = IndexSurface(medium, dn_o, dn_e);
         if constexpr (absorbing && birefringent) {
             const RealTensor along = dyad(medium.axis);
             across_ = medium.n_o * (RealTensor::diagonal(1, 1, 1) + -1.0 * along);
@@ -170,14 +168,8 @@ private:
         if constexpr (absorbing) {
             for (Affine& length : beam.absorbed.lengths) length.value = length(e.centroid);
         }
-        if constexpr (birefringent) {
-            const Vec3 flow = energy(beam.k.value, beam.extraordinary);
-            const double surface = beam.extraordinary ? eps_e_ * eps_o_ : eps_o_;
-            beam.k.value = std::sqrt(surface / dot(flow, beam.k.value)) * beam.k.value;
-            turn_field(beam);
-        } else {
-            beam.k.value = (medium_.n_o / length(beam.k.value)) * beam.k.value;
-        }
+        beam.k.value = surface_.onto(beam.k.value, beam.extraordinary);
+        if constexpr (birefringent) turn_field(beam);
         for (Point2& p : polygon) p = p - e.centroid;
         return true;
     }
@@ -188,14 +180,9 @@ private:
         const Vec3& k = beam.k.value;
         const Vec3 across = cross(k, medium_.axis);
         if (!(dot(across, across) > along_axis)) return;
-        beam.s = normalised(beam.extraordinary ? medium_.axis - (dot(k, medium_.axis) / eps_o_) * k
-                                               : across);
-    }
-
-    /// The direction of energy, not normalised: linear in k.
-    [[nodiscard]] Vec3 energy(const Vec3& k, bool extraordinary) const {
-        if (!extraordinary) return k;
-        return eps_o_ * k + ((eps_e_ - eps_o_) * dot(k, medium_.axis)) * medium_.axis;
+        beam.s = normalised(beam.extraordinary
+                                ? medium_.axis - (dot(k, medium_.axis) / surface_.eps_o) * k
+                                : across);
     }
 
     [[nodiscard]] bool based_on(int chain, int facet) const {
@@ -212,8 +199,8 @@ private:
         Expansion flow = beam_.k;
         if constexpr (birefringent) {
             if (beam_.extraordinary) {
-                flow = {energy(beam_.k.value, true), energy(beam_.k.dx, true),
-                        energy(beam_.k.dy, true)};
+                flow = {surface_.energy(beam_.k.value, true), surface_.energy(beam_.k.dx, true),
+                        surface_.energy(beam_.k.dy, true)};
             }
         }
         double t = 0;
@@ -243,7 +230,7 @@ private:
         }
         if (cut) {
             if (!recentre(beam_, polygon_)) return;
-            flow.value = energy(beam_.k.value, beam_.extraordinary);
+            flow.value = surface_.energy(beam_.k.value, beam_.extraordinary);
             t = (facets_.distance(facet) - dot(normal, beam_.position.value)) /
                 dot(normal, flow.value);
             there = arrival(beam_.position, flow, normal, t);
@@ -280,37 +267,6 @@ private:
         beam_.absorbed.left = left;
         sink.absorb((1 - part) * beam_.area * beam_.response.power());
         beam_.response.scale(part);
-    }
-
-    /// Where lines along `flow` meet a plane that is `t` away from the first of them.
-    [[nodiscard]] static Expansion arrival(const Expansion& from, const Expansion& flow,
-                                           const Vec3& normal, double t) {
-        const double speed = -1 / dot(normal, flow.value);
-        const Vec3 x = from.dx + t * flow.dx, y = from.dy + t * flow.dy;
-        return {from.value + t * flow.value, x + (speed * dot(normal, x)) * flow.value,
-                y + (speed * dot(normal, y)) * flow.value};
-    }
-
-    /// The outgoing wave vector `value` that shares k's tangential part, with its derivatives: dk
-    /// lies across the flow of energy, which fixes its normal part.
-    [[nodiscard]] Expansion matched(const Expansion& k, const Vec3& normal, const Vec3& value,
-                                    const Vec3& flow) const {
-        const double slope = 1 / dot(flow, normal);
-        const auto derivative = [&](const Vec3& d) { return d - (dot(flow, d) * slope) * normal; };
-        return {value, derivative(k.dx), derivative(k.dy)};
-    }
-
-    /// dk/dc of the outgoing wave: like any derivative, but the index surface it ends on swells.
-    [[nodiscard]] static Vec3 fanned(const Vec3& fan, const Vec3& normal, const Vec3& flow,
-                                     double swell) {
-        return fan + ((swell - dot(flow, fan)) / dot(flow, normal)) * normal;
-    }
-    /// Half the change with colour of the index surface's equation at k (k . k = eps_o, or
-    /// k . eps k = eps_o eps_e), which is dk . S.
-    [[nodiscard]] double swelling(const Vec3& k, bool extraordinary) const {
-        if (!extraordinary) return swell_o_;
-        const double along = dot(k, medium_.axis), along2 = along * along;
-        return swell_o_ * (eps_e_ - dot(k, k) + along2) + swell_e_ * (eps_o_ - along2);
     }
 
     template <class Sink>
@@ -353,9 +309,8 @@ private:
                   sink);
         }
         beam_.response = incident.times(face.r_s, face.r_p);
-        const auto mirrored = [&](const Vec3& v) { return v - (2 * dot(normal, v)) * normal; };
-        beam_.k = {mirrored(k.value), mirrored(k.dx), mirrored(k.dy)};
-        if constexpr (spectral) beam_.fan = mirrored(beam_.fan);
+        beam_.k = mirrored(k, normal);
+        if constexpr (spectral) beam_.fan = mirrored(beam_.fan, normal);
         send(sink);
     }
 
@@ -382,10 +337,10 @@ private:
             if (!waves.propagates[i]) continue;
             beam_.extraordinary = i == 1;
             beam_.response = coupled(i);
-            const Vec3 flow = energy(waves.k[i], i == 1);
+            const Vec3 flow = surface_.energy(waves.k[i], i == 1);
             beam_.k = matched(k, normal, waves.k[i], flow);
             if constexpr (spectral) {
-                beam_.fan = fanned(fan, normal, flow, swelling(waves.k[i], i == 1));
+                beam_.fan = fanned(fan, normal, flow, surface_.swelling(waves.k[i], i == 1));
             }
             beam_.s = waves.E[i];
             send(sink, i == 1);
@@ -426,8 +381,7 @@ private:
     void enter_face(const Pair& launched, const Expansion& k, Vec3 s, const Vec3& normal,
                     Sink& sink) {
         if constexpr (absorbing) (void)sink.transmit(beam_.absorbed.lengths);
-        const auto mirrored = [&](const Vec3& v) { return v - (2 * dot(normal, v)) * normal; };
-        const Expansion back{mirrored(k.value), mirrored(k.dx), mirrored(k.dy)};
+        const Expansion back = mirrored(k, normal);
         if constexpr (birefringent) {
             Wave incident;
             incident.k = complexified(k.value);
@@ -450,7 +404,8 @@ private:
             leave(back, s, arriving.times(through.r_s, through.r_p), normal, sink);
             const Vec3 in = k.value + (through.q - q) * normal;
             beam_.k = matched(k, normal, in, in);
-            if constexpr (spectral) beam_.fan = fanned({}, normal, in, swelling(in, false));
+            if constexpr (spectral)
+                beam_.fan = fanned({}, normal, in, surface_.swelling(in, false));
             beam_.s = s;
             beam_.response = arriving.times(through.t_s, through.t_p);
             send(sink);
@@ -459,8 +414,7 @@ private:
 
     const FacetSearch& facets_;
     Medium air_, medium_;
-    double eps_o_ = 1, eps_e_ = 1;
-    double swell_o_ = 0, swell_e_ = 0;
+    IndexSurface surface_{medium_};
     RealTensor across_{}, along_{};  ///< losses of unit absorption, across the axis and along it
     std::vector<Beam> beams_;
     Polygon corners_;
