@@ -109,6 +109,26 @@ std::vector<double> channels(const Emitter& light) {
 
 }  // namespace
 
+bool fans_out(const Crystal& crystal) {
+    return crystal.dispersive() && !crystal.absorbs() &&
+           !StoneOptics(crystal, 0.5 * (shortest_nm + longest_nm)).medium().birefringent;
+}
+
+std::vector<ViewPainter::Hue> ViewPainter::hues_of(const Crystal& crystal, int i, int parts) const {
+    constexpr int count = 4;
+    const auto index = [&](double u) {
+        return StoneOptics(crystal, wavelengths_.draw(u).wavelength_nm).medium().n_o;
+    };
+    const double share = 1.0 / parts, step = share / count, middle = index((i + 0.5) * share);
+    std::vector<Hue> out;
+    for (int h = 0; h < count; ++h) {
+        const double from = i * share + h * step;
+        out.push_back({index(from + 0.5 * step) - middle,
+                       between(palette_, from, from + step, wavelengths_, film_.bands())});
+    }
+    return out;
+}
+
 std::vector<double> ViewPainter::white() const { return channels(palette_.illuminant); }
 
 void PaintedPart::add(const PaintedPart& other) {
@@ -143,22 +163,31 @@ PaintedPart ViewPainter::paint(int i, int parts, const std::function<bool()>& go
         parts == 1 ? palette_
                    : between(palette_, i * share, (i + 1) * share, wavelengths_, film_.bands());
     const Gem& gem = scene_.gems[0];
-    const ViewOptions options = how(parts, pixels_of(gem.stone), go_on);
+    ViewOptions options = how(parts, pixels_of(gem.stone), go_on);
+    options.fan = parts > 1 && fans_out(gem.crystal);
+    const std::vector<Hue> hues = options.fan ? hues_of(gem.crystal, i, parts) : std::vector<Hue>{};
     const StoneOptics optics(gem.crystal, sampler.wavelength_nm());
     const Exits part = trace_view(gem.stone, optics.medium(), view_, options, optics.absorption());
     const Exits exits = part.expanded();
     const PixelMap map(scene_.camera, film_.width(), film_.height(), exits.frame);
 
-    const auto light = [&](const Vec3& direction, const Response& response) {
-        sampler.begin(0);
+    const auto light_from = [&](const Vec3& direction, const Response& response,
+                                const Palette& palette) {
         sky_light(
-            scene_.environment, colours, direction,
+            scene_.environment, palette, direction,
             [&](const Stokes& stokes, const Vec3& up) {
                 return response.seen(stokes, direction, up);
             },
             [&](const Emitter& emitter, const Stokes& seen) { sampler.see(emitter, seen, false); });
     };
-    light(exits.frame.direction, beside(exits.frame, scene_.camera.analyser));
+    const auto light = [&](const Vec3& direction, const Vec3& by_index, const Response& response) {
+        sampler.begin(0);
+        if (dot(by_index, by_index) == 0) return light_from(direction, response, colours);
+        for (const Hue& hue : hues) {
+            light_from(normalised(direction + hue.index * by_index), response, hue.colours);
+        }
+    };
+    light(exits.frame.direction, {}, beside(exits.frame, scene_.camera.analyser));
     const std::vector<double> background = sampler.sample;
     const double right = film_.width(), bottom = film_.height();
     const Point2 corners[] = {{0, 0}, {right, 0}, {right, bottom}, {0, bottom}};
@@ -171,7 +200,7 @@ PaintedPart ViewPainter::paint(int i, int parts, const std::function<bool()>& go
             response.polarised = exits.polarised[e];
             response.axis = exits.axis[e];
         }
-        light(exits.direction[e], response);
+        light(exits.direction[e], options.fan ? exits.fan[e] : Vec3{}, response);
         // What the stone's outside mirrors stands before the background.
         if (exits.hits[e] == 1) {
             for (std::size_t v = 0; v < background.size(); ++v) {

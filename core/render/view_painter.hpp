@@ -22,6 +22,10 @@ struct PaintedPart {
     void add(const PaintedPart& other);
 };
 
+/// Whether light of one facet sequence leaves the stone as a fan of colours, each as bright: so it
+/// does without absorption and birefringence, and few wavelengths need be traced.
+[[nodiscard]] bool fans_out(const Crystal& crystal);
+
 class ViewPainter {
 public:
     /// Traced at once, whatever the number of threads.
@@ -40,6 +44,12 @@ public:
     [[nodiscard]] std::vector<double> white() const;
 
 private:
+    /// A colour of a part's fan: by how much its index exceeds that of the middle.
+    struct Hue {
+        double index;
+        Palette colours;
+    };
+    [[nodiscard]] std::vector<Hue> hues_of(const Crystal& crystal, int i, int parts) const;
     [[nodiscard]] double squares(const std::vector<double>& sample, double area) const;
     [[nodiscard]] double pixels_of(const Stone& stone) const;
     [[nodiscard]] ViewOptions how(int parts, double pixels,

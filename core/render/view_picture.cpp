@@ -17,7 +17,7 @@
 namespace icespar {
 namespace {
 
-constexpr int default_wavelengths = 64;
+constexpr int default_wavelengths = 64, default_fans = 16;
 
 /// Numbers from 0 to `count` - 1 in an order in which neighbours are far apart.
 int spread(int i, int count) {
@@ -44,9 +44,11 @@ ViewPicture add_view(const Scene& scene, const Palette& palette,
                      const ProgressCallback& progress, Film& film) {
     const auto start = std::chrono::steady_clock::now();
     const ViewPainter painter(scene, palette, wavelengths, options, film);
-    const int parts = !scene.gems[0].crystal.dispersive() ? 1
-                      : options.samples > 0               ? options.samples
-                                                          : default_wavelengths;
+    const Crystal& crystal = scene.gems[0].crystal;
+    const int parts = !crystal.dispersive() ? 1
+                      : options.samples > 0 ? options.samples
+                      : fans_out(crystal)   ? default_fans
+                                            : default_wavelengths;
     Progress state;
     ViewPicture out;
     // Traces may take long: this thread looks at the caller's wish between their beams.

@@ -39,6 +39,9 @@ void check(const Medium& medium, const ParallelView& view, const ViewOptions& op
     if (options.weights == Weights::averaged && (options.polarised || options.analyser)) {
         throw Error("averaged light has no polarisation; ask for intensity or stokes");
     }
+    if (options.fan && medium.birefringent) {
+        throw Error("directions move with one index; leave the fan out for birefringent stones");
+    }
     if (medium.n_o < 1 && !medium.birefringent) {
         throw Error("views need a stone of index 1 or more");
     }
@@ -90,6 +93,7 @@ Exits Exits::expanded() const {
         };
         for (std::size_t i = 0; i < size(); ++i) {
             out.direction.push_back(image.of(direction[i], frame));
+            if (!fan.empty()) out.fan.push_back(image.of(fan[i], frame));
             out.weight.push_back(image.of(weight[i]));
             out.area.push_back(area[i]);
             out.entry.push_back(becomes(entry[i]));

@@ -81,7 +81,8 @@ private:
     struct Beam {
         BeamPlace place;
         Vec3 k;
-        Vec3 s;  ///< a crystal's mode: its E
+        Vec3 s;    ///< a crystal's mode: its E
+        Vec3 fan;  ///< of k, by the index of an isotropic stone
         typename Carried<Response, crystal>::type response;
         double area;
         Affine depth;       ///< optical, at each point of the polygon
@@ -221,7 +222,7 @@ private:
             const Interface face(air_, medium_, normal, incident);
             s = face.s_direction();
             const Pair arriving = launched.turned(dot(s, right), dot(s, cross(k, right)));
-            leave(back, s, arriving.through(transfer(face, false)));
+            leave(back, {}, s, arriving.through(transfer(face, false)));
             send_modes(face, true, false, [&](std::size_t m) {
                 return Response::entering(arriving, face.flux_amplitude(0, true, m),
                                           face.flux_amplitude(1, true, m));
@@ -230,7 +231,8 @@ private:
             const Pair arriving = on_face(launched, k, 1, normal, s);
             const double q = dot(normal, k);
             const Fresnel through = fresnel(1, medium_.n_o, q);
-            leave(back, s, arriving.times(through.r_s, through.r_p));
+            leave(back, {}, s, arriving.times(through.r_s, through.r_p));
+            beam_.fan = (medium_.n_o / through.q) * normal;
             beam_.k = k + (through.q - q) * normal;
             beam_.s = s;
             beam_.response = arriving.times(through.t_s, through.t_p);
@@ -318,7 +320,7 @@ private:
             const auto m = static_cast<std::size_t>(beam_.mode);
             const auto before = beam_.response;
             if (face.propagating(true, 0)) {
-                leave(face.wave_vector(true, 0), face.s_direction(),
+                leave(face.wave_vector(true, 0), {}, face.s_direction(),
                       before.leaving(face.flux_amplitude(m, true, 0),
                                      face.flux_amplitude(m, true, 1)));
             }
@@ -329,11 +331,14 @@ private:
             const double n = medium_.n_o, q = dot(normal, k);
             const Pair incident = on_face(beam_.response, k, n, normal, beam_.s);
             const Fresnel face = fresnel(n, 1, q);
+            const Vec3 fan = beam_.fan, along = fan - dot(fan, normal) * normal;
             if (face.passes) {
-                leave(k + (face.q - q) * normal, beam_.s, incident.times(face.t_s, face.t_p));
+                leave(k + (face.q - q) * normal, along - (dot(k, along) / face.q) * normal, beam_.s,
+                      incident.times(face.t_s, face.t_p));
             }
             beam_.response = incident.times(face.r_s, face.r_p);
             beam_.k = k - (2 * q) * normal;
+            beam_.fan = 2.0 * along - fan;
             send(face.passes);
         }
     }
@@ -363,9 +368,10 @@ private:
     }
 
     /// `s` is across k, of any length.
-    void leave(const Vec3& k, const Vec3& s, const Pair& response) {
+    void leave(const Vec3& k, const Vec3& fan, const Vec3& s, const Pair& response) {
         const double share = beam_.passed * beam_.gain;
         out_.direction.push_back(normalised(k));
+        if (options_.fan) out_.fan.push_back(fan);
         out_.weight.push_back(share * response.unpolarised());
         if constexpr (!std::is_same_v<Response, AveragedResponse>) {
             if (options_.polarised) {

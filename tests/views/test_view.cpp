@@ -176,7 +176,7 @@ TEST_CASE("the mean over a view is the sum of its pixels", "[views]") {
 
 TEST_CASE("less is untraced the more is followed, and numbers stay within their bounds",
           "[views]") {
-    const Stone stone = brilliant_stone();
+    const Stone stone = rhomb_stone();
     double least = 0, most = 1;
     for (const double bound : {0.1, 0.03, 0.01, 3e-3, 1e-3}) {
         const Exits e = trace_view(stone, Medium::isotropic(2.42), {}, within(bound, 0));
@@ -211,4 +211,36 @@ TEST_CASE("a view that cannot be traced says why", "[views]") {
     ViewOptions averaged;
     averaged.weights = Weights::averaged;
     refused(Medium::uniaxial(1.54, 1.55, {0, 0, 1}), {}, averaged, "birefringent");
+}
+
+TEST_CASE("directions move with the index as their fans say", "[views]") {
+    const Stone stone = rhomb_stone();
+    const auto traced_at = [&](double n) {
+        ViewOptions options = within(0, 0);
+        options.max_hits = 6;
+        options.fan = true;
+        return trace_view(stone, Medium::isotropic(n), {{0.2, 0.1, -1}}, options);
+    };
+    constexpr double step = 1e-7;
+    const Exits low = traced_at(1.7 - step), middle = traced_at(1.7), high = traced_at(1.7 + step);
+    REQUIRE(middle.size() > 20);
+    REQUIRE(low.facet == middle.facet);
+    REQUIRE(high.facet == middle.facet);
+    double steepest = 0;
+    for (std::size_t i = 0; i < middle.size(); ++i) {
+        CAPTURE(i, middle.hits[i]);
+        const Vec3 slope = (0.5 / step) * (high.direction[i] - low.direction[i]);
+        // A grazing beam turns ever faster.
+        const double size = length(slope);
+        CHECK(length(slope - middle.fan[i]) < 1e-7 * (1 + size * size * size));
+        steepest = std::max(steepest, size);
+    }
+    CHECK(steepest > 1);
+    CHECK_THROWS_WITH(
+        [&] {
+            ViewOptions options;
+            options.fan = true;
+            (void)trace_view(stone, Medium::uniaxial(1.6, 1.7, {0, 0, 1}), {}, options);
+        }(),
+        Contains("leave the fan out"));
 }
