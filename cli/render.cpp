@@ -97,7 +97,7 @@ std::string report_line(const RenderReport& report, const RenderOptions& options
     if (report.engine == Engine::exact && !report.interrupted && options.seconds == 0 &&
         report.error > much * wanted) {
         line += format(", more than the %g asked for", wanted) +
-                " since exact beams keep within a gigabyte (--engine beams goes on)";
+                " (ask for a smaller one, or for --engine beams)";
     }
     if (report.absorbed > 0) line += format(", absorbed energy %.2g", report.absorbed);
     return line + format(", dropped energy %.2g", report.dropped) + ", " +
