@@ -1,6 +1,7 @@
 // Beams through one stone: fragments of a pixel, carried to first order from facet to facet.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <type_traits>
 #include <vector>
@@ -166,7 +167,9 @@ private:
         beam.position.value = beam.position.at(e.centroid);
         beam.k.value = beam.k.at(e.centroid);
         if constexpr (absorbing) {
-            for (Affine& length : beam.absorbed.lengths) length.value = length(e.centroid);
+            for (Affine& length : beam.absorbed.lengths) {
+                length.value = std::max(0.0, length(e.centroid));
+            }
         }
         beam.k.value = surface_.onto(beam.k.value, beam.extraordinary);
         if constexpr (birefringent) turn_field(beam);
@@ -244,7 +247,8 @@ private:
         meet(normal, sink);
     }
 
-    /// On the way along `flow` to a plane that is `t` away.
+    /// On the way along `flow` to a plane that is `t` away. What grazes a facet may be expanded to
+    /// lengths below 0, along which light would grow.
     template <class Sink>
     void absorb(const Expansion& flow, const Vec3& normal, double t, Sink& sink) {
         const double speed = -1 / dot(normal, flow.value);
@@ -253,7 +257,8 @@ private:
                      dy = speed * dot(normal, from.dy + t * flow.dy);
         const auto add = [&](std::size_t i, double rate) {
             Affine& length = beam_.absorbed.lengths[i];
-            length = {length.value + rate * t, length.dx + rate * dx, length.dy + rate * dy};
+            length = {length.value + rate * std::max(0.0, t), length.dx + rate * dx,
+                      length.dy + rate * dy};
         };
         if constexpr (birefringent) {
             add(0, loss_along(across_, beam_.s, beam_.k.value, flow.value));

@@ -151,6 +151,37 @@ TEST_CASE("beams and rays agree on the polarisation of a grey crystal", "[colour
     compare_engines(lit(picture_scene(grey, slope({1, 0, 0}))), 128, 32, 8, true);
 }
 
+TEST_CASE("no light grows on its way through a coloured stone, however it grazes the facets",
+          "[colour][property]") {
+    struct Least : Below {
+        double least = 0;
+        bool may_meet(int hits) const { return hits < 9; }
+        double transmit(std::span<const Affine> lengths) {
+            for (const Affine& length : lengths) least = std::min(least, length.value);
+            return Below::transmit(lengths);
+        }
+    };
+    const Scene scene = picture_scene(coloured(1), furnace());
+    const FacetSearch facets(scene.gems[0].stone);
+    const Footprint footprint(scene.gems[0].stone, scene.camera, 12, 12);
+    BeamTracer<IntensityResponse, true, false, true> tracer(facets);
+    tracer.set_medium(Medium::uniaxial(1.644, 1.624, {1, 0, 0}));
+    Least sink;
+    sink.colour.set(scene.gems[0].crystal, wavelengths);
+    std::vector<Footprint::Part> parts;
+    for (int pixel = 0; pixel < 144; ++pixel) {
+        const int x = pixel % 12, y = pixel / 12;
+        std::size_t count = 0;
+        footprint.divide(x, y, parts, count);
+        const RayField field = pixel_field(scene.camera, 12, 12, x, y, facets.centre());
+        for (std::size_t i = 0; i < count; ++i) {
+            if (parts[i].facet < 0) continue;
+            tracer.trace(field, scene.camera.right, parts[i].polygon, parts[i].facet, sink);
+        }
+    }
+    CHECK(sink.least == 0);
+}
+
 TEST_CASE("in a furnace a coloured stone keeps what it does not show", "[colour][furnace]") {
     const int kind = GENERATE(0, 1, 2, 3);
     CAPTURE(kind);
