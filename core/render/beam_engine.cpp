@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <numeric>
 #include <optional>
 #include <variant>
 
@@ -63,13 +65,14 @@ struct BeamEngine::Kernels {
 
 namespace {
 
-/// A branch that goes on where a leaf ends, through one point of its polygon.
+/// A branch that goes on where a leaf ends, through one point of its polygon, by so much `apart`
+/// from the leaf's own colour.
 template <class Response>
-Branch continued(const Leaf<Response>& leaf, const Point2& at, const Vec3& centre, int gem,
-                 bool one_wavelength) {
+Branch continued(const Leaf<Response>& leaf, const Point2& at, const Vec3& apart,
+                 const Vec3& centre, int gem, bool one_wavelength) {
     Branch b;
     b.position = leaf.position.at(at) + centre;
-    b.ray = b.k = normalised(leaf.k.at(at));
+    b.ray = b.k = normalised(leaf.k.at(at) + apart);
     b.from = {gem, -1};
     const Vec3 s = normalised(leaf.s - dot(leaf.s, b.ray) * b.ray);
     b.basis = {s, cross(b.ray, s)};
@@ -113,8 +116,11 @@ public:
           walker_(world, palette, needs, false),
           sky_(world.scene().environment) {
         if (needs.wavelengths && !needs.surroundings) {
+            // Absorption may change much within a cell.
+            const bool coloured = std::any_of(world.scene().gems.begin(), world.scene().gems.end(),
+                                              [](const Gem& g) { return g.crystal.absorbs(); });
             spectrum_.emplace(world.scene().environment, palette, wavelengths, bands,
-                              Response::stokes ? 4 : 1);
+                              Response::stokes ? 4 : 1, coloured ? 128 : 64);
         }
         const auto add = [&](const Emitter& e) { lights_.push_back(xyz_from_rgb(e.rgb)[1]); };
         add(palette.below);
@@ -127,13 +133,15 @@ public:
                 (static_cast<double>(i) + 0.5) / static_cast<double>(cells * points_a_cell);
             nm.push_back(wavelengths.draw(u).wavelength_nm);
         }
+        for (std::size_t i = 0; i < cells; ++i) {
+            cell_colours_.push_back(SkySpectrum::colour(nm[i * points_a_cell + points_a_cell / 2]));
+        }
         for (std::size_t i = 0; i < stones.facets.size(); ++i) {
             const StoneNeeds& stone = needs.stones[i];
             tracers_.push_back(tracer_for(stones.facets[i], stone.birefringent,
-                                          stone.parts_wavelengths && !needs.surroundings,
-                                          stone.absorption));
+                                          stone.parts_wavelengths, stone.absorption));
             colours_.emplace_back();
-            if (!stone.absorption) continue;
+            if (!stone.absorption && !stone.wavelengths) continue;
             const Crystal& crystal = world.scene().gems[i].crystal;
             if (stone.wavelengths) {
                 colours_[i].set(crystal, nm, points_a_cell);
@@ -149,8 +157,8 @@ public:
         samples_ = samples;
         threshold_ = 1.0 / samples;
         share_ = 1;
-        dispersive_ = false;
         sampler.begin(seed);
+        next_ = sampler.uniform();
         sampler.inside_threshold = sampler.outside_threshold = 0.1 * threshold_;
         const Scene& scene = world_.scene();
         if (stone == BeamScene::sky) {
@@ -162,7 +170,6 @@ public:
         gem_ = stone;
         const auto g = static_cast<std::size_t>(stone);
         colour_ = &colours_[g];
-        coloured_ = false;
         const Crystal& crystal = scene.gems[g].crystal;
         field_ = pixel_field(scene.camera, width_, height_, x, y, stones_.facets[g].centre());
         stones_.footprints[g].divide(x, y, parts_, count_);
@@ -176,17 +183,7 @@ public:
             return needs_.surroundings ? -1 : roulette_.variance();
         }
         flush();
-        if (!needs_.surroundings) {
-            return follow_spectrum(crystal, seed);
-        }
-        if (needs_.stones[g].parts_wavelengths) {
-            follow_wavelengths(crystal, seed);
-        } else {
-            coloured_ = true;
-            roulette_.begin(seed, threshold_);
-            trace_stone(crystal, longest_nm);
-        }
-        return -1;
+        return follow_spectrum(crystal, seed);
     }
 
     [[nodiscard]] std::uint64_t events() const override {
@@ -209,7 +206,7 @@ public:
     void open() { opened_ = luminance(); }
     void close(int hits) { roulette_.saw(hits, luminance() - opened_); }
     void see(const Leaf<Response>& leaf) {
-        if (spectral_) {
+        if (spectral_ && spectrum_) {
             const bool tinted = needs_.stones[static_cast<std::size_t>(gem_)].absorption;
             spectrum_->add(leaf.k, leaf.fan, leaf.polygon, leaf.area, leaf.response.unpolarised(),
                            tinted ? colour_->tint() : std::span<const double>{});
@@ -223,15 +220,15 @@ public:
         const int rays = std::max(1, static_cast<int>(std::lround(weight * samples_)));
         const Vec3& centre = stones_.facets[static_cast<std::size_t>(gem_)].centre();
         for (int i = 0; i < rays; ++i) {
-            // What the outside reflects has no colour.
-            const bool tinted = coloured_ && leaf.hits > 1;
-            if (!dispersive_) {
-                const double u = sampler_->uniform();
-                sampler_->at_wavelength(tinted ? colour_->draw(u) : u);
-            }
-            Branch b =
-                continued(leaf, random_point(leaf.polygon), centre, gem_, dispersive_ || tinted);
-            follow(b, share_ * leaf.area / rays);
+            next_ += golden;
+            next_ -= std::floor(next_);
+            const double drawn = spectral_ ? colour_->draw(next_) : next_;
+            sampler_->at_wavelength(drawn);
+            const double nm = sampler_->wavelength_nm();
+            const Vec3 apart = spectral_ ? (SkySpectrum::colour(nm) - middle_) * leaf.fan : Vec3{};
+            const double exact = spectral_ ? colour_->correction(drawn, nm) : 1;
+            Branch b = continued(leaf, random_point(leaf.polygon), apart, centre, gem_, spectral_);
+            follow(b, exact * share_ * leaf.area / rays);
         }
     }
 
@@ -252,7 +249,7 @@ private:
         });
     }
 
-    /// Below a sky each path is that of a piece of the spectrum (bench/beams.cpp).
+    /// Each path is that of a piece of the spectrum (bench/beams.cpp).
     double follow_spectrum(const Crystal& crystal, std::uint64_t seed) {
         double variance = 0;
         spectral_ = true;
@@ -260,7 +257,7 @@ private:
         const bool parts = needs_.stones[static_cast<std::size_t>(gem_)].parts_wavelengths;
         const int pieces =
             parts ? std::max(1, static_cast<int>(std::lround(0.25 * std::sqrt(samples_)))) : 1;
-        const int cells = spectrum_->cells();
+        const int cells = static_cast<int>(cell_colours_.size());
         const double shift = 0.5 * (sampler_->uniform() - 0.5);
         int first = 0;
         for (int i = 0; i < pieces; ++i) {
@@ -271,33 +268,21 @@ private:
             roulette_.begin(mixed(seed + static_cast<unsigned>(i)),
                             std::min(1.0, threshold_ / (pieces * share_)));
             colour_->narrow(static_cast<std::size_t>(first), static_cast<std::size_t>(last));
-            trace_stone(crystal, spectrum_->begin(first, last));
+            trace_stone(crystal, begin_piece(first, last));
             variance += roulette_.variance();
             first = last;
         }
-        spectrum_->flush(*sampler_);
+        if (spectrum_) spectrum_->flush(*sampler_);
         spectral_ = false;
-        return variance;
+        return needs_.surroundings ? -1 : variance;
     }
 
-    /// Where light goes on as rays each wavelength has paths of its own.
-    void follow_wavelengths(const Crystal& crystal, std::uint64_t seed) {
-        dispersive_ = true;
-        // Wavelengths average out what chance there is along each; more of them are needed first.
-        constexpr int least_wavelengths = 8;
-        const int waves = std::max(least_wavelengths, samples_);
-        threshold_ = 1 / std::max(8.0, std::sqrt(static_cast<double>(samples_)));
-        share_ = 1.0 / waves;
-        const double shift = sampler_->uniform();
-        for (int w = 0; w < waves; ++w) {
-            sampler_->at_wavelength((w + shift) / waves);
-            roulette_.begin(mixed(seed + static_cast<unsigned>(w)), threshold_);
-            const double nm = sampler_->wavelength_nm();
-            if (needs_.stones[static_cast<std::size_t>(gem_)].absorption) {
-                colour_->set(crystal, {&nm, 1});
-            }
-            trace_stone(crystal, nm);
-        }
+    /// The wavelength of the paths for these cells.
+    double begin_piece(int first, int last) {
+        if (spectrum_) return spectrum_->begin(first, last);
+        const auto colours = cell_colours_.begin();
+        middle_ = std::accumulate(colours + first, colours + last, 0.0) / (last - first);
+        return SkySpectrum::wavelength_nm(middle_);
     }
 
     [[nodiscard]] Point2 random_point(PolygonView polygon) {
@@ -387,8 +372,11 @@ private:
     static constexpr std::size_t points_a_cell = 8;
     int gem_ = 0, samples_ = 1;
     double threshold_ = 1, share_ = 1;
-    bool dispersive_ = false, spectral_ = false;
-    bool coloured_ = false;  ///< one path for all colours, which goes on as rays of one
+    bool spectral_ = false;             ///< paths stand for pieces of the spectrum
+    std::vector<double> cell_colours_;  ///< of narrow bands that pieces are made of
+    double middle_ = 0;                 ///< colour of the paths, where they go on as rays
+    static constexpr double golden = std::numbers::phi - 1;
+    double next_ = 0;  ///< where in the unit interval the next ray's wavelength is drawn
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
 // What a coloured stone leaves of each colour along a beam's path.
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -26,11 +27,16 @@ public:
     [[nodiscard]] std::span<const double> tint() const { return tint_; }
     /// From u in the unit interval such a number as makes colours as frequent as they are strong.
     [[nodiscard]] double draw(double u) const;
+    /// What is left at a wavelength over what is left of the colour that number `drawn` is one of.
+    [[nodiscard]] double correction(double drawn, double wavelength_nm) const;
 
 private:
+    const Crystal* crystal_ = nullptr;
     std::size_t first_ = 0, last_ = 0;
-    std::vector<double> per_length_[3];
+    std::array<std::vector<double>, 3> per_length_;
+    std::array<double, 3> lengths_{};
     std::vector<double> tint_;
+    double mean_ = 1;
 };
 
 }  // namespace icespar

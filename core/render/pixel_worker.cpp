@@ -45,6 +45,9 @@ void PixelWorker::add(Film& film, int x, int y, std::uint64_t seed, int first, i
         film.end_pass(x, y, variance);
         return;
     }
+    // A pixel by beams before this one has left its own.
+    sampler_.inside_threshold = roulette_weight;
+    sampler_.outside_threshold = outside_weight;
     for (int i = first; i < first + count; ++i) {
         const auto number = static_cast<std::uint64_t>(i);
         const CameraSample at = camera_sample(pixel, number);

@@ -12,8 +12,7 @@
 namespace icespar {
 namespace {
 
-std::size_t cells_for(std::size_t bands) {
-    constexpr std::size_t enough = 64;
+std::size_t cells_for(std::size_t bands, std::size_t enough) {
     return bands == 0 ? enough : bands * ((enough + bands - 1) / bands);
 }
 
@@ -31,11 +30,12 @@ double product(std::span<const double> a, std::span<const double> b) {
 }  // namespace
 
 SkySpectrum::SkySpectrum(const Environment& sky, const Palette& palette,
-                         const WavelengthSampler& wavelengths, int bands, int components)
+                         const WavelengthSampler& wavelengths, int bands, int components,
+                         std::size_t least_cells)
     : sky_(sky),
       components_(static_cast<std::size_t>(components)),
       channels_(static_cast<std::size_t>(3 + bands)),
-      cells_(cells_for(static_cast<std::size_t>(bands))),
+      cells_(cells_for(static_cast<std::size_t>(bands), least_cells)),
       lights_(2 + sky.discs.size()),
       radiance_(lights_ * cells_ * channels_),
       up_to_(lights_ * (cells_ + 1) * channels_),

@@ -18,10 +18,11 @@ namespace icespar {
 class SkySpectrum {
 public:
     SkySpectrum(const Environment& sky, const Palette& palette,
-                const WavelengthSampler& wavelengths, int bands, int components);
+                const WavelengthSampler& wavelengths, int bands, int components,
+                std::size_t least_cells);
 
     /// Narrow bands, of equal importance to the eye, or of equal width in pictures with bands,
-    /// each of which is made up of whole ones.
+    /// each of which is made up of whole ones. No fewer than `least_cells`.
     [[nodiscard]] int cells() const { return static_cast<int>(cells_); }
 
     /// The leaves that follow are those of the middle of cells `first` to `last` - 1: its

@@ -6,6 +6,7 @@
 #include "math/decay.hpp"
 #include "render/path_colour.hpp"
 #include "support/compare_engines.hpp"
+#include "support/lit_floor.hpp"
 
 using namespace icespar;
 using namespace icespar::testing;
@@ -142,7 +143,7 @@ TEST_CASE("beams of coloured stones that go on as rays find what rays find",
     Scene scene = lit(picture_scene(coloured(kind), slope({0, 1, 0})));
     scene.gems.push_back(
         {cube_stone().transformed(Transform::translation({2.2, 0, 0})), coloured(0), "cube"});
-    compare_engines(scene, 128, 64, 8);
+    compare_engines(scene, 64, 64, 6);
 }
 
 TEST_CASE("beams and rays agree on the polarisation of a grey crystal", "[colour][statistics]") {
@@ -180,6 +181,47 @@ TEST_CASE("no light grows on its way through a coloured stone, however it grazes
         }
     }
     CHECK(sink.least == 0);
+}
+
+TEST_CASE("a picture by beams of a coloured plate shows its spectrum's colour", "[colour]") {
+    // Of index 1 and over white: nothing is reflected, so the picture is the spectrum's own.
+    Crystal c = glass(1);
+    c.absorption = {ruddy};
+    Scene scene = scene_of(box_stone({-9, -9, -thickness / 2}, {9, 9, thickness / 2}), c);
+    scene.camera = towards_origin(0.01);
+    const bool as_rays = GENERATE(false, true);
+    if (as_rays) scene.things.push_back(ball({0, 0, 99}, 1));
+    std::vector<double> nodes, values;
+    for (double nm = shortest_nm; nm <= longest_nm; nm += 1) {
+        nodes.push_back(nm);
+        values.push_back(std::exp(-ruddy(nm) * thickness) * white()(nm));
+    }
+    const Rgb expected = rgb_of(Spectrum(nodes, values));
+    RenderOptions options = small(as_rays ? 32 : 2, 64);
+    options.engine = Engine::beams;
+    const Rendering picture = render(scene, options);
+    for (std::size_t i = 0; i < 3; ++i) {
+        CAPTURE(i, as_rays);
+        CHECK(mean_of(picture.image.rgb, i, 3) ==
+              Approx(expected[i]).margin((as_rays ? 2e-3 : 3e-4) * expected[0]));
+    }
+}
+
+TEST_CASE("pixels by rays do not depend on pixels by beams before them", "[beams]") {
+    Scene scene = lit(picture_scene(coloured(1), slope({0, 1, 0})));
+    scene.camera = towards_origin(5);
+    testing::Random random(1);
+    Gem by_rays{brilliant_stone().transformed(Transform::translation({2.2, 0, 0})), topaz(random),
+                "topaz"};
+    scene.gems.push_back(by_rays);
+    const auto picture = [&](int threads) {
+        RenderOptions options = small(48, 2);
+        options.engine = Engine::beams;
+        options.threads = threads;
+        return render(scene, options).image.rgb;
+    };
+    const auto one = picture(1);
+    for (const int threads : {2, 7}) CHECK(picture(threads) == one);
 }
 
 TEST_CASE("in a furnace a coloured stone keeps what it does not show", "[colour][furnace]") {
