@@ -70,7 +70,7 @@ def calcite(root):
 @pytest.fixture(scope="module")
 def lines_in_the_picture(calcite):
     """Millimetres on the bare grid, right and up from the picture's centre: {"o": (xs, zs), "e": (xs, zs)}."""
-    green = calcite.render(size=SIZE, spp=4, stokes=True, progress=False).stokes[..., 1]
+    green = calcite.render(size=SIZE, spp=16, stokes=True, progress=False).stokes[..., 1]
     found = {}
     for mode, image in analysed(green, calcite_axis()).items():
         columns, rows = slice(190, 460), slice(120, 370)
