@@ -253,11 +253,11 @@ private:
     double follow_spectrum(const Crystal& crystal, std::uint64_t seed) {
         double variance = 0;
         spectral_ = true;
-        // Colours that go the same way need one path.
-        const bool parts = needs_.stones[static_cast<std::size_t>(gem_)].parts_wavelengths;
-        const int pieces =
-            parts ? std::max(1, static_cast<int>(std::lround(0.25 * std::sqrt(samples_)))) : 1;
         const int cells = static_cast<int>(cell_colours_.size());
+        // Colours that go the same way need one path. No piece is empty.
+        const bool parts = needs_.stones[static_cast<std::size_t>(gem_)].parts_wavelengths;
+        const auto wanted = static_cast<int>(std::lround(0.25 * std::sqrt(samples_)));
+        const int pieces = parts ? std::clamp(wanted, 1, cells / 2) : 1;
         const double shift = 0.5 * (sampler_->uniform() - 0.5);
         int first = 0;
         for (int i = 0; i < pieces; ++i) {
@@ -296,7 +296,7 @@ private:
     }
 
     [[nodiscard]] double luminance() const {
-        return spectral_ ? spectrum_->luminance() : sky_.luminance(lights_);
+        return spectral_ && spectrum_ ? spectrum_->luminance() : sky_.luminance(lights_);
     }
 
     void trace_stone(const Crystal& crystal, double nm) {

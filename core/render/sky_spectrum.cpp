@@ -160,15 +160,6 @@ void SkySpectrum::add(const Expansion& k, const Vec3& fan, PolygonView polygon, 
     }
 }
 
-void SkySpectrum::add_mean(double weight) {
-    const Stokes half{0.5 * weight, 0, 0, 0};
-    add_line(0, half, {});
-    add_line(1, half, {});
-    for (std::size_t i = 0; i < sky_.discs.size(); ++i) {
-        add_line(2 + i, (1 - sky_.discs[i].cos_radius) * half, {});
-    }
-}
-
 void SkySpectrum::add_lamp(std::size_t number, const Expansion& k, const Vec3& fan,
                            PolygonView polygon, double area, const Stokes& response, double across,
                            double swing, int halvings) {

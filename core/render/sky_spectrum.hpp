@@ -35,9 +35,6 @@ public:
     void add(const Expansion& k, const Vec3& fan, PolygonView polygon, double area,
              const Stokes& response, std::span<const double> tint = {});
 
-    /// Light of a beam that ended, for what the whole sky sheds on average.
-    void add_mean(double weight);
-
     /// Luminance of what was added since the beginning, but for how lines lean.
     [[nodiscard]] double luminance() const { return luminance_; }
 

@@ -144,3 +144,11 @@ TEST_CASE("the engine beams is refused where there is no stone", "[beams][bounds
     options.engine = Engine::automatic;
     CHECK(render(scene, options).report.engine == Engine::rays);
 }
+
+TEST_CASE("a dispersive stone in a furnace is lost in it, by however many samples", "[beams]") {
+    Crystal diamond{{IndexFunction::cauchy(2.3784, 0.0134)}, {0, 0, 1}};
+    RenderOptions options = small(2, 200'000);
+    options.engine = Engine::beams;
+    const auto found = render(picture_scene(diamond, furnace()), options);
+    for (const float v : found.image.rgb) CHECK_THAT(v, WithinAbs(1, 2e-3));  // roulette
+}
