@@ -114,33 +114,54 @@ Rendering render(const Scene& scene, const RenderOptions& options,
 
     RenderReport report;
     Progress state;
+    int most = 0, count = 0;  // samples a pixel of any tile: before this pass, and in it
+    std::atomic<int> tiles_done{0};
+    const auto tell = [&] {
+        state.seconds = seconds();
+        const double passes =
+            most + count * static_cast<double>(tiles_done) / static_cast<double>(active.size());
+        state.done = samples > 0 ? passes / samples : 0;
+        if (options.seconds > 0) {
+            state.done = std::max(state.done, state.seconds / options.seconds);
+        }
+        if (options.error > 0 && state.error > 0) {
+            const double ratio = options.error / state.error;
+            state.done =
+                std::max(state.done, std::min(1.0, ratio * ratio) * passes / std::max(1, most));
+        }
+        state.done = std::min(1.0, state.done);
+        if (progress && !progress(state)) report.interrupted = true;
+    };
     // Pixels may take long: bounds and interruption are looked at between them, by this thread.
+    // The caller hears of its first tile, and then ten times a second.
     std::atomic<bool> stop{false};
     const auto own_thread = std::this_thread::get_id();
     double looked = 0;
-    const auto look = [&] {
-        if (std::this_thread::get_id() != own_thread || seconds() - looked < 0.1) return;
-        looked = state.seconds = seconds();
-        if (progress && !progress(state)) report.interrupted = true;
+    const auto look = [&](bool after_tile) {
+        if (std::this_thread::get_id() != own_thread) return;
+        if (seconds() - looked < (after_tile && looked == 0 ? 0 : 0.1)) return;
+        tell();
+        looked = state.seconds;
         const bool late = options.seconds > 0 && looked >= options.seconds && report.samples > 0;
         if (report.interrupted || late) stop = true;
     };
 
-    const auto render_tile = [&](int tile, int count) {
+    const auto render_tile = [&](int tile) {
         PixelWorker& worker = workers.local();
         PixelWorker::Account& account = accounts[static_cast<std::size_t>(tile)];
         int& first = done[static_cast<std::size_t>(tile)];
         const bool ends_pass = by_beams || (first + count) % samples_per_pass == 0;
         tiles.visit(tile, [&](int x, int y) {
-            look();
+            look(false);
             if (!stop) worker.add(film, x, y, options.seed, first, count, ends_pass, account);
             return !stop;
         });
-        if (!stop) first += count;
+        if (stop) return;
+        first += count;
+        ++tiles_done;
+        look(true);
     };
 
-    // Tiles go out in batches so that the caller hears from us a few times a second.
-    int batch = 4 * arena.max_concurrency();
     bool enough = false;
     if (needs.engine == Engine::exact) {
         const ViewPicture view =
@@ -155,42 +176,22 @@ Rendering render(const Scene& scene, const RenderOptions& options,
         report.absorbed = view.absorbed * pixels;
         report.error = view.error;
     }
-    int most = 0;  // samples a pixel of any tile
     std::vector<double> variances;
     while (!report.interrupted && !enough) {
-        int count = by_beams ? next_beam_pass(options, most, samples, report.error,
-                                              prepared.beams->tells_error())
-                             : next_ray_pass(options, most);
+        count = by_beams ? next_beam_pass(options, most, samples, report.error,
+                                          prepared.beams->tells_error())
+                         : next_ray_pass(options, most);
         if (samples > 0) count = std::min(count, samples - most);
-        const int wanted = static_cast<int>(active.size());
-        int end = 0;
-        for (int begin = 0; begin < wanted && !stop; begin = end) {
-            end = std::min(begin + batch, wanted);
-            const double before = seconds();
-            arena.execute([&] {
-                tbb::parallel_for(
-                    begin, end,
-                    [&](int i) { render_tile(active[static_cast<std::size_t>(i)], count); },
-                    tbb::simple_partitioner());
-            });
-            const double took = seconds() - before;
-            state.seconds = seconds();
-            state.done = 0;
-            const double passes = most + count * static_cast<double>(end) / wanted;
-            if (samples > 0) state.done = passes / samples;
-            if (options.seconds > 0)
-                state.done = std::max(state.done, state.seconds / options.seconds);
-            if (options.error > 0 && state.error > 0) {
-                state.done = std::max(state.done, std::min(1.0, options.error * options.error /
-                                                                    (state.error * state.error)) *
-                                                      passes / std::max(1, most));
-            }
-            state.done = std::min(1.0, state.done);
-            if (progress && !progress(state)) stop = report.interrupted = true;
-            if (options.seconds > 0 && state.seconds >= options.seconds && most > 0) break;
-            if (took < 0.1) batch = std::min(2 * batch, tiles.count());
-        }
-        if (end == wanted && !stop) most += count;
+        tiles_done = 0;
+        arena.execute([&] {
+            tbb::parallel_for(
+                0, static_cast<int>(active.size()),
+                [&](int i) { render_tile(active[static_cast<std::size_t>(i)]); },
+                tbb::simple_partitioner());
+        });
+        tell();
+        if (report.interrupted) stop = true;
+        if (!stop) most += count;
         double sampled = 0;
         for (int t = 0; t < tiles.count(); ++t) {
             sampled += double(tiles.pixels(t)) * done[static_cast<std::size_t>(t)];
