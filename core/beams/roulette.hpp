@@ -41,6 +41,19 @@ public:
         return 1 / survival;
     }
 
+    /// Of two beams of so much weight together, `part` of it the second's: -1 where both are worth
+    /// following, else the one that stands for both, 0 or 1, chosen by its part. Chances are added
+    /// up as for survival.
+    [[nodiscard]] int stand_in(double weight, double part, int hits) {
+        // A survivor weighs as much as the threshold, give or take rounding.
+        if (weight > (1 + 1e-6) * threshold_ || hits >= patient) return -1;
+        Depth& d = depth(hits);
+        d.second += part;
+        if (d.second < 1) return 0;
+        d.second -= 1;
+        return 1;
+    }
+
     /// What came of a survivor among beams that owe nothing to earlier chance.
     void saw(int hits, double light) {
         if (hits >= patient) return;
@@ -72,6 +85,7 @@ private:
     static constexpr double patience = 0.9;
     struct Depth {
         double chance = 0;  ///< the sum, from its random start
+        double second = 0;  ///< the same of beams that stand in for pairs
         double expected = 0, last = 0, sum = 0, differences = 0;
         int survivors = 0;
     };
@@ -79,7 +93,7 @@ private:
     /// Most pixels reach few depths: they are begun when they are reached.
     [[nodiscard]] Depth& depth(int hits) {
         for (; reached_ <= hits; ++reached_) {
-            depths_[static_cast<std::size_t>(reached_)] = {random_.uniform()};
+            depths_[static_cast<std::size_t>(reached_)] = {random_.uniform(), random_.uniform()};
         }
         return depths_[static_cast<std::size_t>(hits)];
     }

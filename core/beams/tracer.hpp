@@ -34,6 +34,9 @@ struct Leaf {
 /// collects:
 ///
 ///   gain(weight, hits)  0 ends a beam of this area times power; a survivor's power is multiplied
+///   stand_in(weight, part, hits)
+///                       only if birefringent: of two modes of so much weight together, `part` of
+///                       it the extraordinary one's, the one (0 or 1) that goes on for both, or -1
 ///   may_meet(hits)      false: the beam ends before its next interface event
 ///   lose(weight)        a beam given up so
 ///   open(), close(hits) around all that comes of a beam that survived by chance after so many
@@ -333,22 +336,39 @@ private:
             [&](std::size_t i) { return before.times(face.amplitude[i]); }, sink);
     }
 
-    /// Pushes both modes that go into the crystal.
+    /// Both modes that go into the crystal, or one that stands for both.
     template <class Coupled, class Sink>
     void send_modes(const CrystalWaves& waves, const Expansion& k, const Vec3& normal,
                     const Coupled& coupled, Sink& sink) {
         [[maybe_unused]] const Fan fan = beam_.fan;
+        std::array<Single, 2> responses;
+        double power = 0;
         for (std::size_t i = 0; i < 2; ++i) {
             if (!waves.propagates[i]) continue;
+            responses[i] = coupled(i);
+            power += responses[i].power();
+        }
+        std::array<bool, 2> goes_on = waves.propagates;
+        if (goes_on[0] && goes_on[1] && power > 0) {
+            const double extraordinary = responses[1].power() / power;
+            const int only = sink.stand_in(beam_.area * power, extraordinary, beam_.hits);
+            if (only >= 0) {
+                const auto one = static_cast<std::size_t>(only);
+                responses[one].scale(power / responses[one].power());
+                goes_on[1 - one] = false;
+            }
+        }
+        for (std::size_t i = 0; i < 2; ++i) {
+            if (!goes_on[i]) continue;
             beam_.extraordinary = i == 1;
-            beam_.response = coupled(i);
+            beam_.response = responses[i];
             const Vec3 flow = surface_.energy(waves.k[i], i == 1);
             beam_.k = matched(k, normal, waves.k[i], flow);
             if constexpr (spectral) {
                 beam_.fan = fanned(fan, normal, flow, surface_.swelling(waves.k[i], i == 1));
             }
             beam_.s = waves.E[i];
-            send(sink, i == 1);
+            send(sink, i == 1 || !goes_on[1]);
         }
     }
 

@@ -194,6 +194,9 @@ public:
 
     // For the tracer.
     [[nodiscard]] double gain(double weight, int hits) { return roulette_.gain(weight, hits); }
+    [[nodiscard]] int stand_in(double weight, double part, int hits) {
+        return roulette_.stand_in(weight, part, hits);
+    }
     [[nodiscard]] bool may_meet(int hits) const {
         const int most = world_.scene().max_trace_level;
         return most == 0 || hits < most;

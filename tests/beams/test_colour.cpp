@@ -23,6 +23,7 @@ struct Below {
     double all = 0, absorbed = 0, lost = 0;
 
     double gain(double weight, int) const { return weight > 1e-18 ? 1 : 0; }
+    int stand_in(double, double, int) const { return -1; }
     bool may_meet(int hits) const { return hits < 60; }
     void lose(double weight) { lost += weight; }
     void open() {}

@@ -23,6 +23,7 @@ struct Recorder {
     double worst_area = 0, worst_centroid = 0;
 
     double gain(double, int) const { return 1; }
+    int stand_in(double, double, int) const { return -1; }
     bool may_meet(int hits) const { return hits < depth; }
     void lose(double weight) { lost += weight; }
     void open() {}
