@@ -33,15 +33,6 @@ Pair2<T> solved(const T (&m)[2][2], const T& r0, const T& r1) {
     return {(r0 * m[1][1] - m[0][1] * r1) / det, (m[0][0] * r1 - r0 * m[1][0]) / det};
 }
 
-/// The real direction of a linearly polarised field, whatever its phase.
-Vec3 without_phase(const CVec3& E) {
-    const Complex largest = std::norm(E.x) >= std::norm(E.y)
-                                ? (std::norm(E.x) >= std::norm(E.z) ? E.x : E.z)
-                                : (std::norm(E.y) >= std::norm(E.z) ? E.y : E.z);
-    const double size = std::abs(largest);
-    return size > 0 && largest.imag() != 0 ? real(std::conj(largest) / size * E) : real(E);
-}
-
 }  // namespace
 
 struct FaceSolver {

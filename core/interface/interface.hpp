@@ -67,13 +67,15 @@ public:
         return (transmitted ? transmitted_ : reflected_).propagating[i];
     }
     [[nodiscard]] Complex flux_amplitude(std::size_t m, bool transmitted, std::size_t i) const;
-    /// Of a propagating wave: its wave vector, and its unit E, which is real.
+    /// Of a propagating wave: its wave vector, and its unit E, which is real but for a phase (left
+    /// out here) in media without activity.
     [[nodiscard]] Vec3 wave_vector(bool transmitted, std::size_t i) const {
         return kt_.real() * x_ + (transmitted ? transmitted_ : reflected_).q[i].real() * normal_;
     }
     [[nodiscard]] Vec3 field_direction(bool transmitted, std::size_t i) const {
         const CVec3& E = (transmitted ? transmitted_ : reflected_).E[i];
-        return E.x.real() * x_ + E.y.real() * y_ + E.z.real() * normal_;
+        const Vec3 F = general_ ? without_phase(E) : real(E);
+        return F.x * x_ + F.y * y_ + F.z * normal_;
     }
 
 private:

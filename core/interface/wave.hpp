@@ -75,4 +75,13 @@ struct WavesOfRay {
 };
 [[nodiscard]] WavesOfRay waves_of_ray(const Medium& medium, const Vec3& ray);
 
+/// The real direction of a linearly polarised field, whatever its phase.
+[[nodiscard]] inline Vec3 without_phase(const CVec3& E) {
+    const Complex largest = std::norm(E.x) >= std::norm(E.y)
+                                ? (std::norm(E.x) >= std::norm(E.z) ? E.x : E.z)
+                                : (std::norm(E.y) >= std::norm(E.z) ? E.y : E.z);
+    const double size = std::abs(largest);
+    return size > 0 && largest.imag() != 0 ? real(std::conj(largest) / size * E) : real(E);
+}
+
 }  // namespace icespar

@@ -109,21 +109,26 @@ std::vector<double> channels(const Emitter& light) {
 
 }  // namespace
 
-bool fans_out(const Crystal& crystal) {
-    return crystal.dispersive() && !crystal.absorbs() &&
-           !StoneOptics(crystal, 0.5 * (shortest_nm + longest_nm)).medium().birefringent;
+bool fans_out(const Crystal& crystal) { return crystal.parts_wavelengths() && !crystal.absorbs(); }
+
+RealTensor ViewPainter::change(const Crystal& crystal, double u0, double u1) const {
+    const auto eps = [&](double u) {
+        const StoneOptics at(crystal, wavelengths_.draw(u).wavelength_nm);
+        return real(at.medium().permittivity());
+    };
+    return eps(u1) + -1.0 * eps(u0);
 }
 
 std::vector<ViewPainter::Hue> ViewPainter::hues_of(const Crystal& crystal, int i, int parts) const {
     constexpr int count = 4;
-    const auto index = [&](double u) {
-        return StoneOptics(crystal, wavelengths_.draw(u).wavelength_nm).medium().n_o;
-    };
-    const double share = 1.0 / parts, step = share / count, middle = index((i + 0.5) * share);
+    const auto trace = [](const RealTensor& t) { return t.xx + t.yy + t.zz; };
+    const double share = 1.0 / parts, step = share / count, first = i * share;
+    const double whole = trace(change(crystal, first, first + share));
     std::vector<Hue> out;
     for (int h = 0; h < count; ++h) {
-        const double from = i * share + h * step;
-        out.push_back({index(from + 0.5 * step) - middle,
+        const double from = first + h * step;
+        const double part = trace(change(crystal, first + 0.5 * share, from + 0.5 * step));
+        out.push_back({whole == 0 ? 0 : part / whole,
                        between(palette_, from, from + step, wavelengths_, film_.bands())});
     }
     return out;
@@ -164,8 +169,11 @@ PaintedPart ViewPainter::paint(int i, int parts, const std::function<bool()>& go
                    : between(palette_, i * share, (i + 1) * share, wavelengths_, film_.bands());
     const Gem& gem = scene_.gems[0];
     ViewOptions options = how(parts, pixels_of(gem.stone), go_on);
-    options.fan = parts > 1 && fans_out(gem.crystal);
-    const std::vector<Hue> hues = options.fan ? hues_of(gem.crystal, i, parts) : std::vector<Hue>{};
+    std::vector<Hue> hues;
+    if (parts > 1 && fans_out(gem.crystal)) {
+        options.fan = change(gem.crystal, i * share, (i + 1) * share);
+        hues = hues_of(gem.crystal, i, parts);
+    }
     const StoneOptics optics(gem.crystal, sampler.wavelength_nm());
     const Exits part = trace_view(gem.stone, optics.medium(), view_, options, optics.absorption());
     const Exits exits = part.expanded();
@@ -180,11 +188,11 @@ PaintedPart ViewPainter::paint(int i, int parts, const std::function<bool()>& go
             },
             [&](const Emitter& emitter, const Stokes& seen) { sampler.see(emitter, seen, false); });
     };
-    const auto light = [&](const Vec3& direction, const Vec3& by_index, const Response& response) {
+    const auto light = [&](const Vec3& direction, const Vec3& fan, const Response& response) {
         sampler.begin(0);
-        if (dot(by_index, by_index) == 0) return light_from(direction, response, colours);
+        if (dot(fan, fan) == 0) return light_from(direction, response, colours);
         for (const Hue& hue : hues) {
-            light_from(normalised(direction + hue.index * by_index), response, hue.colours);
+            light_from(normalised(direction + hue.place * fan), response, hue.colours);
         }
     };
     light(exits.frame.direction, {}, beside(exits.frame, scene_.camera.analyser));

@@ -23,7 +23,7 @@ struct PaintedPart {
 };
 
 /// Whether light of one facet sequence leaves the stone as a fan of colours, each as bright: so it
-/// does without absorption and birefringence, and few wavelengths need be traced.
+/// does without absorption, and few wavelengths need be traced.
 [[nodiscard]] bool fans_out(const Crystal& crystal);
 
 class ViewPainter {
@@ -44,11 +44,13 @@ public:
     [[nodiscard]] std::vector<double> white() const;
 
 private:
-    /// A colour of a part's fan: by how much its index exceeds that of the middle.
+    /// One of the colours of a part of the spectrum: how far along the part's fan it lies.
     struct Hue {
-        double index;
+        double place;
         Palette colours;
     };
+    /// Of the permittivity, from one place in the spectrum to another.
+    [[nodiscard]] RealTensor change(const Crystal& crystal, double u0, double u1) const;
     [[nodiscard]] std::vector<Hue> hues_of(const Crystal& crystal, int i, int parts) const;
     [[nodiscard]] double squares(const std::vector<double>& sample, double area) const;
     [[nodiscard]] double pixels_of(const Stone& stone) const;

@@ -39,9 +39,6 @@ void check(const Medium& medium, const ParallelView& view, const ViewOptions& op
     if (options.weights == Weights::averaged && (options.polarised || options.analyser)) {
         throw Error("averaged light has no polarisation; ask for intensity or stokes");
     }
-    if (options.fan && medium.birefringent) {
-        throw Error("directions move with one index; leave the fan out for birefringent stones");
-    }
     if (medium.n_o < 1 && !medium.birefringent) {
         throw Error("views need a stone of index 1 or more");
     }

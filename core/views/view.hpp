@@ -61,7 +61,8 @@ struct ViewOptions {
     double least_power = 0;  ///< fainter light is not followed on from a face where part of it left
     bool symmetry = true;    ///< trace once what images of one another would repeat
     bool outlines = false;   ///< keep the polygons too
-    bool fan = false;        ///< keep how directions move with the index; isotropic stones only
+    /// How the permittivity changes with colour: keep how directions move with that.
+    std::optional<RealTensor> fan{};
     bool polarised = false;  ///< keep what is seen of polarised light too; without symmetry
     /// Before the viewer, on picture-right and picture-up; without symmetry.
     std::optional<Jones> analyser{};
@@ -101,7 +102,7 @@ struct Exits {
 
     PictureFrame frame;
     std::vector<Vec3> direction;  ///< unit, away from the stone, against the light
-    std::vector<Vec3> fan;        ///< if that was asked for: its derivative by the index
+    std::vector<Vec3> fan;        ///< if that was asked for: its derivative with colour
     /// What the viewer sees of unpolarised radiance 1 from there; the mean over the beam, if the
     /// stone absorbs.
     std::vector<Stokes> weight;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <type_traits>
 
+#include "beams/carry.hpp"
 #include "beams/fresnel.hpp"
 #include "beams/response.hpp"
 #include "crystal/loss.hpp"
@@ -82,7 +83,7 @@ private:
         BeamPlace place;
         Vec3 k;
         Vec3 s;    ///< a crystal's mode: its E
-        Vec3 fan;  ///< of k, by the index of an isotropic stone
+        Vec3 fan;  ///< the derivative of k with colour
         typename Carried<Response, crystal>::type response;
         double area;
         Affine depth;       ///< optical, at each point of the polygon
@@ -223,7 +224,7 @@ private:
             s = face.s_direction();
             const Pair arriving = launched.turned(dot(s, right), dot(s, cross(k, right)));
             leave(back, {}, s, arriving.through(transfer(face, false)));
-            send_modes(face, true, false, [&](std::size_t m) {
+            send_modes(face, normal, true, false, [&](std::size_t m) {
                 return Response::entering(arriving, face.flux_amplitude(0, true, m),
                                           face.flux_amplitude(1, true, m));
             });
@@ -232,9 +233,9 @@ private:
             const double q = dot(normal, k);
             const Fresnel through = fresnel(1, medium_.n_o, q);
             leave(back, {}, s, arriving.times(through.r_s, through.r_p));
-            beam_.fan = (medium_.n_o / through.q) * normal;
             beam_.k = k + (through.q - q) * normal;
             beam_.s = s;
+            fan({}, normal);
             beam_.response = arriving.times(through.t_s, through.t_p);
             send(false);
         }
@@ -320,37 +321,52 @@ private:
             const auto m = static_cast<std::size_t>(beam_.mode);
             const auto before = beam_.response;
             if (face.propagating(true, 0)) {
-                leave(face.wave_vector(true, 0), {}, face.s_direction(),
+                const Vec3 out = face.wave_vector(true, 0);
+                leave(out, fan_outside(out, normal), face.s_direction(),
                       before.leaving(face.flux_amplitude(m, true, 0),
                                      face.flux_amplitude(m, true, 1)));
             }
-            send_modes(face, false, face.propagating(true, 0), [&](std::size_t i) {
+            send_modes(face, normal, false, face.propagating(true, 0), [&](std::size_t i) {
                 return before.times(face.flux_amplitude(m, false, i));
             });
         } else {
             const double n = medium_.n_o, q = dot(normal, k);
             const Pair incident = on_face(beam_.response, k, n, normal, beam_.s);
             const Fresnel face = fresnel(n, 1, q);
-            const Vec3 fan = beam_.fan, along = fan - dot(fan, normal) * normal;
             if (face.passes) {
-                leave(k + (face.q - q) * normal, along - (dot(k, along) / face.q) * normal, beam_.s,
-                      incident.times(face.t_s, face.t_p));
+                const Vec3 out = k + (face.q - q) * normal;
+                leave(out, fan_outside(out, normal), beam_.s, incident.times(face.t_s, face.t_p));
             }
             beam_.response = incident.times(face.r_s, face.r_p);
             beam_.k = k - (2 * q) * normal;
-            beam_.fan = 2.0 * along - fan;
+            beam_.fan = mirrored(beam_.fan, normal);
             send(face.passes);
         }
     }
 
+    /// Of beam_, whose wave vector had this fan when it met the face. By k x (k x E) = -eps E the
+    /// surface on which k ends swells by E . (d eps) E / 2.
+    void fan(const Vec3& before, const Vec3& normal) {
+        if (!options_.fan) return;
+        const RealTensor& change = *options_.fan;
+        const double swell = 0.5 * (crystal ? dot(beam_.s, change * beam_.s) : change.xx);
+        beam_.fan = fanned(before, normal, flow(), swell);
+    }
+    [[nodiscard]] Vec3 fan_outside(const Vec3& k, const Vec3& normal) const {
+        return options_.fan ? fanned(beam_.fan, normal, k, 0) : Vec3{};
+    }
+
     template <class Coupled>
-    void send_modes(const Interface& face, bool transmitted, bool thinned, const Coupled& coupled) {
+    void send_modes(const Interface& face, const Vec3& normal, bool transmitted, bool thinned,
+                    const Coupled& coupled) {
+        const Vec3 before = beam_.fan;
         for (std::size_t i = 0; i < 2; ++i) {
             if (!face.propagating(transmitted, i)) continue;
             beam_.mode = static_cast<int>(i);
             beam_.response = coupled(i);
             beam_.k = face.wave_vector(transmitted, i);
             beam_.s = face.field_direction(transmitted, i);
+            fan(before, normal);
             send(thinned);
         }
     }
@@ -371,7 +387,7 @@ private:
     void leave(const Vec3& k, const Vec3& fan, const Vec3& s, const Pair& response) {
         const double share = beam_.passed * beam_.gain;
         out_.direction.push_back(normalised(k));
-        if (options_.fan) out_.fan.push_back(fan);
+        if (options_.fan) out_.fan.push_back(is_finite(fan) ? fan : Vec3{});
         out_.weight.push_back(share * response.unpolarised());
         if constexpr (!std::is_same_v<Response, AveragedResponse>) {
             if (options_.polarised) {
