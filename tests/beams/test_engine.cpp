@@ -1,5 +1,7 @@
 // Pictures by beams against pictures by rays, which are the reference.
+#include <array>
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "support/compare_engines.hpp"
 
@@ -52,6 +54,55 @@ TEST_CASE("beams that leave a stone go on as rays to what stands around", "[beam
     scene.gems.push_back(
         {cube_stone().transformed(Transform::translation({2.2, 0, 0})), glass(1.6), "cube"});
     compare_engines(scene, 256, 64, 12);
+}
+
+TEST_CASE("a prism spreads the edge of a lit wall as Snell's law says, by beams that go on as rays",
+          "[beams]") {
+    // Seen straight down through its level face, its lower one slopes. Left of its edge all is
+    // dark.
+    const double slope_angle = 20 * degree, depth = 6, width = 1.2;
+    const IndexFunction index = IndexFunction::cauchy(1.6, 0.05);
+    std::vector<FacetPlane> planes = box_planes({-2, -2, -2}, {2, 2, 0});
+    planes.push_back(
+        {{std::sin(slope_angle), 0, -std::cos(slope_angle)}, std::cos(slope_angle), "slope"});
+    Scene scene = scene_of(Stone::from_planes(planes), {{index}, {0, 0, 1}}, night());
+    scene.camera.kind = Camera::Kind::orthographic;
+    scene.camera.location = {0, 0, 4};
+    scene.camera.direction = {0, 0, -1};
+    scene.camera.right = {width, 0, 0};
+    scene.camera.up = {0, width, 0};
+    // Beyond the face a ray leans to the left; from x it goes down from x tan(slope) - 1.
+    const auto lean = [&](double nm) {
+        return std::tan(std::asin(index(nm) * std::sin(slope_angle)) - slope_angle);
+    };
+    const double edge = -(depth - 1) * lean(550);
+    const auto seen_at = [&](double nm) {
+        return (edge + (depth - 1) * lean(nm)) / (1 - std::tan(slope_angle) * lean(nm));
+    };
+    Thing wall;
+    wall.shape = BoxShape{};
+    wall.to_world =
+        Transform::scaling({100, 100, 1}).then(Transform::translation({edge, -50, -depth - 1}));
+    wall.finish = {0, 1};
+    scene.things.push_back(wall);
+    const auto picture = [&](Engine engine, int samples) {
+        RenderOptions options = small(8, samples);
+        options.engine = engine;
+        const Rendering r = render(scene, options);
+        REQUIRE(r.report.engine == engine);
+        std::array<double, 3> mean{};
+        for (std::size_t c = 0; c < 3; ++c) mean[c] = mean_of(r.image.rgb, c, 3);
+        return mean;
+    };
+    const auto rays = picture(Engine::rays, 1024), beams = picture(Engine::beams, 32);
+    // Red is bent less, so more of it is seen; between 460 and 610 nm at the least.
+    const double spread = (seen_at(460) - seen_at(610)) / width;
+    CHECK(spread > 0.2);
+    CHECK(rays[0] - rays[2] > 0.5 * spread);
+    for (std::size_t c = 0; c < 3; ++c) {
+        CAPTURE(c, rays, beams);
+        CHECK(std::abs(beams[c] - rays[c]) < 0.1 * spread);
+    }
 }
 
 TEST_CASE("the size of a stone and its place change no picture by beams", "[beams]") {
