@@ -9,10 +9,13 @@
 namespace icespar {
 
 int convert_command(const ConvertArguments& arguments, std::ostream& messages) {
+    const bool retargets = arguments.index > 0 || arguments.pavilion != 0 || arguments.crown != 0;
+    if (arguments.from > 0 && !retargets)
+        throw Error("--from: nothing is changed from it; give --index, --pavilion or --crown too");
     Design design = read_design(arguments.source);
     for (const std::string& remark : design.remarks)
         messages << arguments.source.string() << ": warning: " << remark << '\n';
-    if (arguments.index > 0 || arguments.pavilion != 0 || arguments.crown != 0) {
+    if (retargets) {
         if (!(design.refractive_index > 0) && !(arguments.from > 0))
             throw Error(arguments.source.string() +
                         ": the design does not say for which index it is: give --from");

@@ -65,8 +65,9 @@ Tier stretched(const Tier& tier, const Stretch& side) {
 Design retargeted(const Design& design, const Retarget& to) {
     for (const double index : {to.from, to.to}) {
         if (!(index > 1 && index < 10))
-            throw Error("a refractive index of " + std::to_string(index) +
-                        " is not one of a stone: give one above 1");
+            throw Error(
+                "a design is retargeted from and to indices of stones: give some between 1 "
+                "and 10");
     }
     const SolvedDesign solved(design);
     Stretch crown{HUGE_VAL, 1}, pavilion{-HUGE_VAL, 1};

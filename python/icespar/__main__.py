@@ -13,6 +13,7 @@ from ._progress import bar
 
 DESIGNS = (".asc", ".gem", ".gcs")
 OUTPUTS = (".html", ".json", ".csv")
+MOST_STEPS = 1000  #: of tilt to either side
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -99,6 +100,8 @@ def _run(options: argparse.Namespace) -> int:
     from .analysis import analyse
 
     gems = _gems(options)
+    if options.tilt / options.step > MOST_STEPS:
+        raise Error(f"--step: {options.step:g} degrees are too little for tilts up to {options.tilt:g}; at most {MOST_STEPS} steps fit")
     steps = math.floor(options.tilt / options.step + 1e-9)
     tilts = np.arange(-steps, steps + 1) * options.step if steps else np.array([0.0])
     found = []

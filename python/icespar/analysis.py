@@ -72,8 +72,8 @@ def _until_known(traced: Callable[[float], Number], error: float) -> Number:
         if number.error <= 100 * error or effort == most:
             return number
         # Errors fall with about the effort to the power of -0.6: aim a little beyond.
-        effort *= max(1.5, (1.2 * number.error / (100 * error)) ** 1.6)
-        effort = min(most, math.ceil(2 * effort) / 2)
+        short = min(most, 1.2 * number.error / (100 * error))
+        effort = min(most, math.ceil(2 * effort * max(1.5, short**1.6)) / 2)
 
 
 @dataclass(frozen=True)

@@ -37,8 +37,8 @@ def coloured(
     Light is white: the sky has the spectrum of the `illuminant`. Between wavelengths numbers are taken to be linear. `error` is
     the standard error that is asked of the samples of all wavelengths together.
     """
-    if not 0 < step_nm <= LAST - FIRST:
-        raise ValueError(f"step_nm: {step_nm!r} is not between 0 and {LAST - FIRST:g}")
+    if not 0.1 <= step_nm <= LAST - FIRST:
+        raise ValueError(f"step_nm: {step_nm!r} is not between 0.1 and {LAST - FIRST:g}")
     at = np.linspace(FIRST, LAST, 1 + 2 * math.ceil((LAST - FIRST) / (2 * step_nm)))
     weights, coarse = _weights(at, illuminant), np.zeros(at.size)
     coarse[::2] = _weights(at[::2], illuminant)

@@ -53,11 +53,11 @@ class Gem:
     proportions: Proportions = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
-        axis = np.asarray(self.axis, dtype=float)
+        axis = np.array(self.axis, dtype=float)
         if axis.shape != (3,) or not np.isfinite(axis).all() or not axis.any():
             raise ValueError(f"axis: {self.axis!r} is not a direction of three numbers")
-        if not (math.isfinite(self.width_mm) and self.width_mm > 0):
-            raise ValueError(f"width_mm: {self.width_mm!r} is not a positive number")
+        if not 1e-6 <= self.width_mm <= 1e6:
+            raise ValueError(f"width_mm: {self.width_mm!r} is not a width of a stone: give 1e-6 to 1e6")
         if self.mineral is None:
             if self.colour:
                 raise Error("a colour belongs to a mineral: name one")
@@ -66,6 +66,7 @@ class Gem:
         elif self.colour and self.colour not in self.mineral.colours:
             known = ", ".join(map(repr, self.mineral.colours)) or "none"
             raise Error(f"{self.mineral.id} has no colour {self.colour!r}; its colours are: {known}")
+        axis /= np.abs(axis).max()
         object.__setattr__(self, "axis", tuple(float(x) for x in axis / np.linalg.norm(axis)))
         try:
             object.__setattr__(self, "stone", self.design.stone())

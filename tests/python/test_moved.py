@@ -86,6 +86,8 @@ def test_beams_are_added_until_the_error_asked_for_or_the_most(power, times):
     assert number.error <= 0.1 or efforts[-1] == analysis.MANY / analysis.FEW
     efforts.clear()
     assert analysis._until_known(traced, 2e-3).error == 0.2 and efforts == [1]
+    analysis._until_known(traced, 5e-324)
+    assert efforts[-1] == analysis.MANY / analysis.FEW
 
 
 def test_a_sample_that_finds_no_light_from_above_knows_nothing_but_its_bound():

@@ -200,6 +200,13 @@ def test_a_design_is_cut_for_its_mineral_where_asked(call, root):
     assert height == pytest.approx(wanted, abs=1e-4)
 
 
+@pytest.mark.parametrize("length", [1e-320, 1e-200, 1e300])
+def test_an_axis_is_a_direction_however_long(root, length):
+    design = root / "scenes/designs/rose_cut_flat.asc"
+    axis = Gem.of(design, "zircon", axis=(length, 0, length)).axis
+    assert axis == pytest.approx((math.sqrt(0.5), 0, math.sqrt(0.5)), abs=1e-3)
+
+
 @pytest.mark.parametrize(
     ("words", "code", "said"),
     [
@@ -211,6 +218,11 @@ def test_a_design_is_cut_for_its_mineral_where_asked(call, root):
         (("analyse", "rose_cut_flat.asc", "-o", "none/r.html"), 1, "none"),
         (("analyse", "rose_cut_flat.asc", "--axis", "0,0,0"), 2, "--axis"),
         (("analyse", "rose_cut_flat.asc", "--width", "-1"), 2, "--width"),
+        (("analyse", "rose_cut_flat.asc", "--mineral", "quartz", "--width", "1e300"), 1, "width"),
+        (("analyse", "rose_cut_flat.asc", "--step", "1e-9"), 1, "--step"),
+        (("analyse", "rose_cut_flat.asc", "--step", "5e-324"), 1, "--step"),
+        (("convert", "rose_cut_flat.asc", "c.stl", "--from", "2"), 1, "--index"),
+        (("convert", "rose_cut_flat.asc", "c.stl", "--index", "1e300"), 1, "between 1 and 10"),
         (("compare", "quartz"), 1, "design"),
     ],
 )
