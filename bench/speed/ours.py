@@ -26,7 +26,7 @@ class Ours:
 
     def reference(self, name):
         if name not in self.references:
-            spp = REFERENCE[name]
+            spp = REFERENCE.get(name, 512)
             self.references[name] = [rendered(self.scenes[name], self.size, spp, seed)[0] for seed in (101, 102)]
         return self.references[name]
 
@@ -39,6 +39,16 @@ class Ours:
             curve.rows.append((spp, seconds, error_of(picture, *self.reference(name))))
             spp *= 2
         return curve
+
+    def split(self):
+        """(mineral, curve of the crystal, curve of the same stone of one index), by beams."""
+        for mineral, crystals in scenes.SPLIT.items():
+            curves = []
+            for kind, crystal in zip(("split", "whole"), crystals, strict=True):
+                name = f"{mineral}, {kind}"
+                self.scenes[name] = scenes.load(scenes.brilliant(crystal), self.size)
+                curves.append(self.curve(name, "beams"))
+            yield mineral, *curves
 
     def needs(self, runs):
         """(scene, part, engine, seconds without, with, error without, with): medians of pairs in turn."""

@@ -6,7 +6,7 @@ import pathlib
 import exact
 from plots import plt, save, table
 
-ERRORS = (0.2, 0.1, 0.05, 0.02)
+ERRORS = (0.2, 0.1, 0.05, 0.02, 0.01)
 COLOURS = {"icespar, beams": "tab:blue", "icespar, rays": "tab:cyan", "Mitsuba": "tab:red", "POV-Ray": "tab:orange"}
 HEAD = """# Speed
 
@@ -21,6 +21,14 @@ The error is the root mean square over pixels and R, G, B, relative to the pictu
 program: mean((x - a)(x - b)), from which the noise of the references drops out. Peers see the same triangles, the same camera and the sky as a
 panorama; they average s and p at every facet, so that their pictures converge to slightly other ones.
 Seconds in brackets lie beyond the rows measured, and follow the slope of the last two. A program that errs less in its first row has that row's seconds.
+"""
+
+SPLIT = """
+## What birefringence costs
+
+The brilliant above, of one wavelength, by beams: as a crystal with its axis along the table's normal, and as a stone of one index, the mean.
+Where every face sends on two waves there are more beams to follow, and each weighs less.
+
 """
 
 WORK = """
@@ -71,11 +79,24 @@ def plot_work(rows, path):
 def seconds_text(seconds, measured):
     if math.isnan(seconds):
         return "-"
-    text = f"{seconds:.2f}" if seconds < 10 else f"{seconds:.0f}"
+    digits = 3 if seconds < 1 else 2 if seconds < 10 else 0
+    text = f"{seconds:.{digits}f}"
     return text if measured else f"({text})"
 
 
-def write_report(folder, where, curves, needs, work, beams, threads):
+def split_table(pairs):
+    rows = []
+    for mineral, *curves in pairs:
+        times = [[curve.seconds_to(e) for e in ERRORS] for curve in curves]
+        rows += [
+            [f"{mineral}, {kind}", *(seconds_text(*t) for t in row)]
+            for kind, row in zip(("two waves", "one"), times, strict=True)
+        ]
+        rows.append(["ratio", *(f"{a / b:.1f}" for (a, _), (b, _) in zip(*times, strict=True))])
+    return table(["stone", *(f"to {e:g}" for e in ERRORS)], rows)
+
+
+def write_report(folder, where, curves, pairs, needs, work, beams, threads):
     text = HEAD.format(where=where)
     for scene in dict.fromkeys(c.scene for c in curves):
         plot(curves, scene, pathlib.Path(folder) / "speed" / f"{scene}.png")
@@ -88,6 +109,7 @@ def write_report(folder, where, curves, needs, work, beams, threads):
                 if c.scene == scene
             ),
         )
+    text += SPLIT + split_table(pairs)
     text += "\n## What a scene does not need\n\nThe same samples a pixel, with one part of the full kernel forced "
     text += "(`full=` of `Scene.render`): seconds and relative RMSE without and with it.\n\n"
     text += table(

@@ -77,14 +77,14 @@ def written(name, header, rows):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--size", type=int, default=128, help="pixels a side (default 128)")
+    parser.add_argument("--size", type=int, default=256, help="pixels a side (default 256)")
     parser.add_argument("--quick", action="store_true", help="a small picture, short runs: to see that all works")
     parser.add_argument("--keep-peers", action="store_true", help="take other renderers' rows from the last run")
     parser.add_argument("--docs", type=pathlib.Path, help="write speed.md and its plots into this folder")
     options = parser.parse_args()
     size = 48 if options.quick else options.size
     runs = 1 if options.quick else 3
-    ours = Ours(size, longest=0.2 if options.quick else 2.0)
+    ours = Ours(size, longest=0.2 if options.quick else 4.0)
     print(f"{machine()}; icespar {icespar.__version__}; {size}x{size} pixels")
     curves = []
     names = list(ours.scenes)
@@ -95,17 +95,18 @@ def main():
         curves.append(curve)
     rows = [(c.scene, c.program, level, s, e) for c in curves for level, s, e in c.rows]
     written("speed.csv", ["scene", "program", "level", "cpu_seconds", "relative_rmse"], rows)
+    pairs = list(ours.split())
     header = ["scene", "part", "engine", "samples", "lesser_s", "full_s", "lesser_rmse", "full_rmse"]
     needs = written("speed_needs.csv", header, list(ours.needs(runs)))
     sizes = written("speed_work.csv", ["what", "number", "reading_s", "rendering_s"], list(work(options.quick)))
     beams = written("speed_exact.csv", exact.HEADER, list(exact.costs(options.quick)))
     busy = os.getloadavg()[0] > 1.5  # elapsed time would say more of other programs
-    pairs = [] if busy else list(ours.threads(runs))
-    threads = written("speed_threads.csv", ["scene", "engine", "one_s", "two_s"], pairs)
+    times = [] if busy else list(ours.threads(runs))
+    threads = written("speed_threads.csv", ["scene", "engine", "one_s", "two_s"], times)
     if options.docs:
         where = f"{machine()}, {datetime.date.today():%B %Y}, icespar {icespar.__version__}, {size}x{size} pixels"
         where += " (other renderers in an earlier run)" if options.keep_peers else ""
-        write_report(options.docs, where, curves, needs, sizes, beams, threads)
+        write_report(options.docs, where, curves, pairs, needs, sizes, beams, threads)
 
 
 if __name__ == "__main__":

@@ -65,6 +65,12 @@ SCENES = {
     "uniaxial": brilliant("indices 1.925, 1.984 axis y"),
     "grid": GRID,
 }
+#: Crystals with their axis along the table's normal, and the same stones of one index, the mean.
+SPLIT = {
+    "zircon": ("indices 1.925, 1.984 axis y", "indices 1.945"),
+    "calcite": ("indices 1.6584, 1.4864 axis y", "indices 1.601"),
+    "quartz": ("indices 1.5443, 1.5534 axis y", "indices 1.5473"),
+}
 DIAMOND = 2.417
 
 
