@@ -9,7 +9,7 @@
 #include "render/sampler.hpp"
 #include "render/sky_light.hpp"
 #include "render/stone_optics.hpp"
-#include "views/transmission.hpp"
+#include "views/shading.hpp"
 
 namespace icespar {
 namespace {
@@ -109,7 +109,10 @@ std::vector<double> channels(const Emitter& light) {
 
 }  // namespace
 
-bool fans_out(const Crystal& crystal) { return crystal.parts_wavelengths() && !crystal.absorbs(); }
+int parts_of(const Crystal& crystal) {
+    constexpr int parted = 16, together = 4;
+    return !crystal.dispersive() ? 1 : crystal.parts_wavelengths() ? parted : together;
+}
 
 RealTensor ViewPainter::change(const Crystal& crystal, double u0, double u1) const {
     const auto eps = [&](double u) {
@@ -120,16 +123,20 @@ RealTensor ViewPainter::change(const Crystal& crystal, double u0, double u1) con
 }
 
 std::vector<ViewPainter::Hue> ViewPainter::hues_of(const Crystal& crystal, int i, int parts) const {
-    constexpr int count = 4;
+    constexpr int wavelengths = 64;
+    const int count = parts > 1 ? std::max(1, wavelengths / parts) : 1;
     const auto trace = [](const RealTensor& t) { return t.xx + t.yy + t.zz; };
     const double share = 1.0 / parts, step = share / count, first = i * share;
     const double whole = trace(change(crystal, first, first + share));
     std::vector<Hue> out;
     for (int h = 0; h < count; ++h) {
-        const double from = first + h * step;
-        const double part = trace(change(crystal, first + 0.5 * share, from + 0.5 * step));
-        out.push_back({whole == 0 ? 0 : part / whole,
-                       between(palette_, from, from + step, wavelengths_, film_.bands())});
+        const double from = first + h * step, middle = from + 0.5 * step;
+        const double part = trace(change(crystal, first + 0.5 * share, middle));
+        const StoneOptics optics(crystal, wavelengths_.draw(middle).wavelength_nm);
+        out.push_back({whole == 0 ? 0 : part / whole, optics.absorption(),
+                       parts == 1
+                           ? palette_
+                           : between(palette_, from, from + step, wavelengths_, film_.bands())});
     }
     return out;
 }
@@ -164,73 +171,78 @@ PaintedPart ViewPainter::paint(int i, int parts, const std::function<bool()>& go
     const double share = 1.0 / parts;
     Sampler sampler(film_, wavelengths_, 0);
     sampler.at_wavelength((i + 0.5) * share);
-    const Palette colours =
-        parts == 1 ? palette_
-                   : between(palette_, i * share, (i + 1) * share, wavelengths_, film_.bands());
     const Gem& gem = scene_.gems[0];
+    const std::vector<Hue> hues = hues_of(gem.crystal, i, parts);
     ViewOptions options = how(parts, pixels_of(gem.stone), go_on);
-    std::vector<Hue> hues;
-    if (parts > 1 && fans_out(gem.crystal)) {
+    if (hues.size() > 1 && gem.crystal.parts_wavelengths()) {
         options.fan = change(gem.crystal, i * share, (i + 1) * share);
-        hues = hues_of(gem.crystal, i, parts);
     }
+    std::vector<Absorption> absorption;
+    for (const Hue& hue : hues) absorption.push_back(hue.absorption);
     const StoneOptics optics(gem.crystal, sampler.wavelength_nm());
-    const Exits part = trace_view(gem.stone, optics.medium(), view_, options, optics.absorption());
+    const Exits part = trace_view(gem.stone, optics.medium(), view_, options, absorption);
     const Exits exits = part.expanded();
     const PixelMap map(scene_.camera, film_.width(), film_.height(), exits.frame);
 
-    const auto light_from = [&](const Vec3& direction, const Response& response,
-                                const Palette& palette) {
+    const auto lit = [&](const Vec3& direction, const Response& response,
+                         const Palette& palette) -> const std::vector<double>& {
+        sampler.begin(0);
         sky_light(
             scene_.environment, palette, direction,
             [&](const Stokes& stokes, const Vec3& up) {
                 return response.seen(stokes, direction, up);
             },
             [&](const Emitter& emitter, const Stokes& seen) { sampler.see(emitter, seen, false); });
+        return sampler.sample;
     };
-    const auto light = [&](const Vec3& direction, const Vec3& fan, const Response& response) {
-        sampler.begin(0);
-        if (dot(fan, fan) == 0) return light_from(direction, response, colours);
-        for (const Hue& hue : hues) {
-            light_from(normalised(direction + hue.place * fan), response, hue.colours);
-        }
-    };
-    light(exits.frame.direction, {}, beside(exits.frame, scene_.camera.analyser));
-    const std::vector<double> background = sampler.sample;
+    const Palette colours =
+        parts == 1 ? palette_
+                   : between(palette_, i * share, (i + 1) * share, wavelengths_, film_.bands());
+    const std::vector<double> background =
+        lit(exits.frame.direction, beside(exits.frame, scene_.camera.analyser), colours);
     const double right = film_.width(), bottom = film_.height();
     const Point2 corners[] = {{0, 0}, {right, 0}, {right, bottom}, {0, bottom}};
     raster.add(corners, background);
     Polygon polygon;
     PaintedPart out;
+    std::vector<std::vector<double>> shares(hues.size());  // of one exit, by hue
+    std::vector<double> sample(background.size());
+    std::vector<Affine> depths(hues.size());
     for (std::size_t e = 0; e < exits.size(); ++e) {
         Response response{exits.weight[e]};
         if (!exits.polarised.empty()) {
             response.polarised = exits.polarised[e];
             response.axis = exits.axis[e];
         }
-        light(exits.direction[e], options.fan ? exits.fan[e] : Vec3{}, response);
-        // What the stone's outside mirrors stands before the background.
-        if (exits.hits[e] == 1) {
-            for (std::size_t v = 0; v < background.size(); ++v) {
-                sampler.sample[v] -= background[v];
-            }
-        }
         polygon.clear();
         for (std::size_t c = exits.outline[e]; c < exits.outline[e + 1]; ++c) {
             polygon.push_back(map.of(exits.corners[c]));
         }
-        const double area = std::abs(extent(polygon).area);
-        if (exits.group[e] > 0) out.variance += squares(sampler.sample, area);
-        if (exits.depth.empty() || area < least_shaded) {
-            raster.add(polygon, sampler.sample);
+        if (exits.hits[e] == 1) {
+            // What the stone's outside mirrors stands before the background.
+            sample = lit(exits.direction[e], response, colours);
+            for (std::size_t v = 0; v < sample.size(); ++v) sample[v] -= background[v];
+            raster.add(polygon, sample);
             continue;
         }
-        const Affine depth = map.of(exits.depth[e]);
-        const double mean = mean_transmission(polygon, depth);
-        each_strip(polygon, depth, [&](PolygonView strip, const Affine& passed) {
-            raster.add(strip, sampler.sample,
-                       {passed.value / mean, passed.dx / mean, passed.dy / mean});
-        });
+        std::fill(sample.begin(), sample.end(), 0.0);
+        const auto tint = exits.tint_of(e);
+        for (std::size_t h = 0; h < hues.size(); ++h) {
+            const Vec3 fan = exits.fan.empty() ? Vec3{} : hues[h].place * exits.fan[e];
+            shares[h] = lit(normalised(exits.direction[e] + fan), response, hues[h].colours);
+            for (std::size_t v = 0; v < sample.size(); ++v) {
+                if (!tint.empty()) shares[h][v] *= tint[h];
+                sample[v] += shares[h][v];
+            }
+        }
+        const double area = std::abs(extent(polygon).area);
+        if (exits.group[e] > 0) out.variance += squares(sample, area);
+        if (exits.lengths.empty() || area < least_shaded) {
+            raster.add(polygon, sample);
+            continue;
+        }
+        for (std::size_t h = 0; h < hues.size(); ++h) depths[h] = map.of(exits.depth(e, h));
+        shade(polygon, depths, shares, sample, raster);
     }
     const double per_pixel = share * map.scale() / (right * bottom);
     out.dropped = per_pixel * (exits.residue + exits.cut);

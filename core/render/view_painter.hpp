@@ -22,9 +22,9 @@ struct PaintedPart {
     void add(const PaintedPart& other);
 };
 
-/// Whether light of one facet sequence leaves the stone as a fan of colours, each as bright: so it
-/// does without absorption, and few wavelengths need be traced.
-[[nodiscard]] bool fans_out(const Crystal& crystal);
+/// As many parts of the spectrum as make a good picture: of each one wavelength is traced, with
+/// which others share the way that their light takes, but for its last direction.
+[[nodiscard]] int parts_of(const Crystal& crystal);
 
 class ViewPainter {
 public:
@@ -44,9 +44,10 @@ public:
     [[nodiscard]] std::vector<double> white() const;
 
 private:
-    /// One of the colours of a part of the spectrum: how far along the part's fan it lies.
+    /// One of the colours of a part of the spectrum.
     struct Hue {
-        double place;
+        double place;  ///< how far along the part's fan it lies
+        Absorption absorption;
         Palette colours;
     };
     /// Of the permittivity, from one place in the spectrum to another.

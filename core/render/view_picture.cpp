@@ -17,8 +17,6 @@
 namespace icespar {
 namespace {
 
-constexpr int default_wavelengths = 64, default_fans = 16;
-
 /// Numbers from 0 to `count` - 1 in an order in which neighbours are far apart.
 int spread(int i, int count) {
     int step = std::max(1, static_cast<int>(0.618 * count));
@@ -45,10 +43,8 @@ ViewPicture add_view(const Scene& scene, const Palette& palette,
     const auto start = std::chrono::steady_clock::now();
     const ViewPainter painter(scene, palette, wavelengths, options, film);
     const Crystal& crystal = scene.gems[0].crystal;
-    const int parts = !crystal.dispersive() ? 1
-                      : options.samples > 0 ? options.samples
-                      : fans_out(crystal)   ? default_fans
-                                            : default_wavelengths;
+    const int parts =
+        crystal.dispersive() && options.samples > 0 ? options.samples : parts_of(crystal);
     Progress state;
     ViewPicture out;
     // Traces may take long: this thread looks at the caller's wish between their beams.

@@ -79,10 +79,21 @@ Absorption absorption_of(const Medium& medium, std::span<const double> per_lengt
     return out;
 }
 
+Affine depth_of(const ColourRates& rates, std::span<const Affine> lengths) {
+    Affine depth{0, 0, 0};
+    for (std::size_t i = 0; i < lengths.size(); ++i) {
+        depth.value += rates[i] * lengths[i].value;
+        depth.dx += rates[i] * lengths[i].dx;
+        depth.dy += rates[i] * lengths[i].dy;
+    }
+    return depth;
+}
+
 Exits Exits::expanded() const {
     Exits out = *this;
     if (images.size() == 1) return out;
     out.images.resize(1);
+    const std::size_t each = size() > 0 ? lengths.size() / size() : 0;
     for (std::size_t g = 1; g < images.size(); ++g) {
         const PictureImage& image = images[g];
         const auto becomes = [&](std::int32_t i) {
@@ -97,6 +108,8 @@ Exits Exits::expanded() const {
             out.facet.push_back(becomes(facet[i]));
             out.hits.push_back(hits[i]);
             out.group.push_back(group[i]);
+            const auto tints = tint_of(i);
+            out.tint.insert(out.tint.end(), tints.begin(), tints.end());
             if (outline.empty()) continue;
             const auto begin = static_cast<std::ptrdiff_t>(out.corners.size());
             for (std::size_t c = outline[i]; c < outline[i + 1]; ++c) {
@@ -105,7 +118,9 @@ Exits Exits::expanded() const {
             // Counter-clockwise, also in a mirror.
             if (image.mirrors()) std::reverse(out.corners.begin() + begin, out.corners.end());
             out.outline.push_back(out.corners.size());
-            if (!depth.empty()) out.depth.push_back(image.of(depth[i]));
+            for (std::size_t l = i * each; l < (i + 1) * each; ++l) {
+                out.lengths.push_back(image.of(lengths[l]));
+            }
         }
     }
     return out;
@@ -125,15 +140,22 @@ Estimate estimate_of(std::span<const double> sums) {
 }
 
 Exits trace_view(const Stone& stone, const Medium& medium, const ParallelView& view,
-                 const ViewOptions& options, const Absorption& absorption) {
+                 const ViewOptions& options, std::span<const Absorption> absorption) {
     check(medium, view, options);
     PictureFrame frame;
     frame.direction = normalised(view.direction);
     frame.right = normalised(cross(frame.direction, view.up));
     frame.up = cross(frame.right, frame.direction);
     Exits out;
+    const bool clear = std::all_of(absorption.begin(), absorption.end(),
+                                   [](const Absorption& a) { return a.none(); });
     const auto run = [&]<class Response, bool crystal>() {
-        ViewTracer<Response, crystal>(stone, medium, absorption, frame, options, out).run();
+        if (clear) {
+            ViewTracer<Response, crystal, false>(stone, medium, {}, frame, options, out).run();
+        } else {
+            ViewTracer<Response, crystal, true>(stone, medium, absorption, frame, options, out)
+                .run();
+        }
     };
     const bool stokes = options.weights == Weights::stokes;
     if (medium.birefringent) {

@@ -40,6 +40,11 @@ struct Absorption {
 /// Error for another number of them, and for what is negative or not finite.
 [[nodiscard]] Absorption absorption_of(const Medium& medium, std::span<const double> per_length);
 
+/// What a colour loses per unit of each of its lengths (Colours); those that are not used are 0.
+using ColourRates = std::array<double, 4>;
+
+[[nodiscard]] Affine depth_of(const ColourRates& rates, std::span<const Affine> lengths);
+
 /// What is carried along a beam. Averaged: s and p are averaged at every face, as programs do that
 /// know no polarisation; isotropic stones only.
 enum class Weights { intensity, stokes, averaged };
@@ -121,8 +126,12 @@ struct Exits {
     /// In the picture, if they were asked for: beam i has corners outline[i] to outline[i + 1].
     std::vector<std::size_t> outline;
     Polygon corners;
-    /// Besides, if the stone absorbs: exp(-depth) is what it leaves of the beam, in each point.
-    std::vector<Affine> depth;
+    /// If the stone absorbs, by colour: what it leaves of each over the mean of all, which is in
+    /// the weight, one exit's after the other's; their rates; and, if outlines were asked for, the
+    /// lengths of each exit. exp(-depth) is left in each point.
+    std::vector<double> tint;
+    std::vector<ColourRates> rates;
+    std::vector<Affine> lengths;
 
     /// By facet of the stone, for what enters there: its area in the picture, and weight times area
     /// of what was not followed exactly, and of what `max_hits` and `least_power` ended.
@@ -138,6 +147,13 @@ struct Exits {
     double gaps = 0;
 
     [[nodiscard]] std::size_t size() const { return area.size(); }
+    [[nodiscard]] std::span<const double> tint_of(std::size_t exit) const {
+        return {tint.data() + exit * rates.size(), rates.size()};
+    }
+    [[nodiscard]] Affine depth(std::size_t exit, std::size_t colour) const {
+        const std::size_t each = lengths.size() / size();
+        return depth_of(rates[colour], {lengths.data() + exit * each, each});
+    }
     /// The same with a beam for every image.
     [[nodiscard]] Exits expanded() const;
 };
@@ -153,8 +169,11 @@ struct Estimate {
 /// Best first by weight times area, so that what is untraced is small soon. The result does not
 /// depend on anything but the arguments, unless a time is given. Throws Error for a view without
 /// direction, options out of range, and media that absorb, turn polarisation or, where s and p are
-/// averaged, are birefringent, as for polarisation where s and p are averaged.
+/// averaged, are birefringent, as for polarisation where s and p are averaged. A stone's absorption
+/// may be that of several colours of equal weight, which share the waves of the medium: sums are
+/// then over their mean.
 [[nodiscard]] Exits trace_view(const Stone& stone, const Medium& medium, const ParallelView& view,
-                               const ViewOptions& options = {}, const Absorption& absorption = {});
+                               const ViewOptions& options = {},
+                               std::span<const Absorption> absorption = {});
 
 }  // namespace icespar

@@ -8,9 +8,9 @@
 #include "beams/carry.hpp"
 #include "beams/fresnel.hpp"
 #include "beams/response.hpp"
-#include "crystal/loss.hpp"
 #include "interface/interface.hpp"
 #include "views/beam_queue.hpp"
+#include "views/colours.hpp"
 #include "views/facet_cells.hpp"
 #include "views/remainder.hpp"
 #include "views/symmetry.hpp"
@@ -22,18 +22,17 @@ namespace icespar {
 /// With parallel light every path through plane facets keeps one wave vector and one response over
 /// the whole polygon that takes it, and its places are linear in picture coordinates: nothing is
 /// approximated.
-template <class Response, bool crystal>
+template <class Response, bool crystal, bool absorbing>
 class ViewTracer {
 public:
-    ViewTracer(const Stone& stone, const Medium& medium, const Absorption& absorption,
+    ViewTracer(const Stone& stone, const Medium& medium, std::span<const Absorption> absorption,
                const PictureFrame& frame, const ViewOptions& options, Exits& out)
         : stone_(stone),
           cells_(stone),
           air_(Medium::isotropic(1)),
           medium_(medium),
           modes_(modes_of(medium)),
-          absorption_(absorption),
-          absorbing_(!absorption.none()),
+          colours_(medium, absorption),
           frame_(frame),
           options_(options),
           out_(out) {}
@@ -41,6 +40,7 @@ public:
     void run() {
         frame_.centre = cells_.facets().centre();
         out_.frame = frame_;
+        out_.rates = colours_.rates();
         if (options_.outlines) out_.outline.assign(1, 0);
         out_.entry_area.assign(stone_.facets.size(), 0);
         out_.entry_untraced = out_.entry_cut = out_.entry_area;
@@ -86,8 +86,8 @@ private:
         Vec3 fan;  ///< the derivative of k with colour
         typename Carried<Response, crystal>::type response;
         double area;
-        Affine depth;       ///< optical, at each point of the polygon
-        double passed = 1;  ///< the mean over the polygon of what it leaves
+        std::array<Affine, absorbing ? (crystal ? 4 : 1) : 0> lengths{};  ///< Colours
+        double passed = 1;  ///< the mean over polygon and colours of what they leave
         double gain = 1;    ///< for others that ended
         int entry, left, hits, corners;
         int mode;
@@ -147,7 +147,7 @@ private:
     /// One sector of a symmetric view is enough.
     void fold() {
         const double whole = out_.area_total;
-        symmetry_ = symmetry_of(stone_, medium_, absorption_.tensor, frame_);
+        symmetry_ = symmetry_of(stone_, medium_, colours_.axes(), frame_);
         measure();
         // Rounding may hide a part of the symmetry, so that sectors would not fill the picture.
         constexpr double rounding = 1e-12;
@@ -204,6 +204,7 @@ private:
         const Vec3 &k = frame_.direction, &right = frame_.right, &up = frame_.up;
         const auto i = static_cast<std::size_t>(facet);
         project(stone_.facets[i]);
+        colours_.begin();
         const Vec3 outside = cells_.facets().normal(facet), normal = -outside;
         const double slowness = 1 / dot(outside, k);
         beam_ = Beam{};
@@ -260,8 +261,8 @@ private:
     void advance() {
         const Beam before = beam_;
         const Vec3 along = flow();
-        if (absorbing_) rate_ = loss_along(along);
-        double met = 0;
+        if constexpr (absorbing) growth(along);
+        double met = 0, left = 0;
         for (const FacetCells::Piece& piece :
              cells_.divide(before.place, along, before.left, polygon_, extent(polygon_).centroid)) {
             const double area = extent(piece.polygon).area;
@@ -273,11 +274,13 @@ private:
             beam_.left = piece.facet;
             ++beam_.hits;
             piece_ = piece.polygon;
-            if (absorbing_) absorb(before, piece);
+            if constexpr (absorbing) left += absorb(piece);
             meet(cells_.facets().normal(piece.facet));
         }
         const double gap = std::abs(before.area - met);
-        const double lost = gap * before.passed * before.gain * before.response.power();
+        const double power = before.gain * before.response.power(),
+                     lost = gap * before.passed * power;
+        if constexpr (absorbing) out_.absorbed += (met * before.passed - left) * power;
         if (group_ > 0) {
             out_.residue += lost;
             return;
@@ -286,26 +289,26 @@ private:
         give_up(before.entry, lost);
     }
 
-    /// On the way of beam_ to its facet.
-    void absorb(const Beam& before, const FacetCells::Piece& piece) {
+    /// On the way of beam_ to its facet; what of its area's light arrives there.
+    double absorb(const FacetCells::Piece& piece) {
         const Affine& t = piece.distance;
-        beam_.depth = {before.depth.value + rate_ * t.value, before.depth.dx + rate_ * t.dx,
-                       before.depth.dy + rate_ * t.dy};
-        beam_.passed = mean_transmission(piece.polygon, beam_.depth);
-        const double arrived = mean_transmission(piece.polygon, before.depth);
-        out_.absorbed +=
-            beam_.area * (arrived - beam_.passed) * before.gain * before.response.power();
+        for (std::size_t i = 0; i < beam_.lengths.size(); ++i) {
+            Affine& l = beam_.lengths[i];
+            const double rate = growth_[i];
+            l = {l.value + rate * t.value, l.dx + rate * t.dx, l.dy + rate * t.dy};
+        }
+        beam_.passed = colours_.transmit(piece.polygon, beam_.lengths);
+        return beam_.area * beam_.passed;
     }
 
-    /// What a beam loses per multiple of its flow.
-    [[nodiscard]] double loss_along(const Vec3& along) const {
-        double loss = absorption_.per_length * length(along);
+    /// Of the lengths of beam_, per multiple of its flow.
+    void growth(const Vec3& along) {
+        growth_.fill(1);
         if constexpr (crystal) {
-            loss += icespar::loss_along(absorption_.tensor, beam_.s, beam_.k, along);
-        } else {
-            loss += absorption_.tensor.xx;
+            for (std::size_t i = 0; i < growth_.size(); ++i) {
+                growth_[i] = colours_.growth(i, beam_.s, beam_.k, along);
+            }
         }
-        return loss;
     }
 
     void meet(const Vec3& normal) {
@@ -402,11 +405,17 @@ private:
         out_.facet.push_back(beam_.left);
         out_.hits.push_back(beam_.hits);
         out_.group.push_back(group_);
+        if constexpr (absorbing) {
+            const auto tint = colours_.tint();
+            out_.tint.insert(out_.tint.end(), tint.begin(), tint.end());
+        }
         if (!options_.outlines) return;
         const Polygon& polygon = beam_.hits == 1 ? polygon_ : piece_;
         out_.corners.insert(out_.corners.end(), polygon.begin(), polygon.end());
         out_.outline.push_back(out_.corners.size());
-        if (absorbing_) out_.depth.push_back(beam_.depth);
+        if constexpr (absorbing) {
+            out_.lengths.insert(out_.lengths.end(), beam_.lengths.begin(), beam_.lengths.end());
+        }
     }
 
     void give_up(int entry, double weight) {
@@ -422,9 +431,8 @@ private:
     FacetCells cells_;
     Medium air_, medium_;
     std::array<Mode, 2> modes_;
-    Absorption absorption_;
-    bool absorbing_;
-    double rate_ = 0;  ///< of the beam that goes on
+    Colours colours_;
+    std::array<double, std::tuple_size_v<decltype(Beam::lengths)>> growth_{};
     PictureFrame frame_;
     ViewOptions options_;
     Exits& out_;

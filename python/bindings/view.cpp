@@ -23,7 +23,8 @@ Exits traced(const Stone& stone, const Medium& medium, const py::object& directi
         raised = PyErr_CheckSignals() != 0;
         return !raised;
     };
-    const Absorption colour = absorption.empty() ? Absorption{} : absorption_of(medium, absorption);
+    std::vector<Absorption> colour;
+    if (!absorption.empty()) colour.push_back(absorption_of(medium, absorption));
     Exits exits;
     {
         const py::gil_scoped_release unlocked;

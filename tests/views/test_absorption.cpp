@@ -64,7 +64,7 @@ TEST_CASE("a plate that absorbs transmits and reflects as the sum over its echoe
         ViewOptions options;
         options.bound = 0;
         options.max_beams = 200;
-        const Exits e = trace_view(cube_stone(), c.medium, {}, options, c.absorption);
+        const Exits e = trace_view(cube_stone(), c.medium, {}, options, {&c.absorption, 1});
         double back = 0, through = 0;
         for (std::size_t i = 0; i < e.size(); ++i) {
             (e.direction[i].z > 0 ? back : through) += e.weight[i].s0 * e.area[i];
@@ -88,13 +88,82 @@ TEST_CASE("what coloured stones return, keep and leave untraced is all light", "
         colour.per_length = 0.05 * i;
         ViewOptions options;
         options.max_beams = 2000;
-        const Exits e =
-            trace_view(brilliant_stone(), medium, {random.direction(), axis}, options, colour);
+        const Exits e = trace_view(brilliant_stone(), medium, {random.direction(), axis}, options,
+                                   {&colour, 1});
         double traced = 0;
         for (std::size_t x = 0; x < e.size(); ++x) traced += e.weight[x].s0 * e.area[x];
         traced *= static_cast<double>(e.images.size());
         CHECK(std::abs(traced + e.untraced + e.absorbed - e.area_total) < 1e-11 * e.area_total);
         CHECK(e.absorbed > 0.1 * e.area_total);
+    }
+}
+
+TEST_CASE("colours that share their beams pass as each would alone", "[views]") {
+    const Vec3 axis = normalised(Vec3{0.3, 1, 0.5});
+    const Medium media[] = {Medium::isotropic(1.76), Medium::uniaxial(1.62, 1.66, axis),
+                            Medium::biaxial({1.6, 1.64, 1.7}, axis, any_perpendicular(axis))};
+    for (const Medium& medium : media) {
+        std::vector<Absorption> colours;
+        for (const double strength : {0.0, 0.002, 0.6, 4.0}) {
+            std::vector<double> along{strength};
+            if (medium.birefringent) along.push_back(0.3);
+            if (medium.symmetry == Symmetry::biaxial) along.push_back(2 * strength);
+            colours.push_back(absorption_of(medium, along));
+            colours.back().per_length = 0.1 * strength;
+        }
+        ViewOptions options;
+        options.bound = 0;
+        options.max_beams = 0;
+        options.max_hits = 4;
+        options.outlines = true;
+        const ParallelView view{{0.2, 0.1, -1}};
+        const Exits together = trace_view(brilliant_stone(), medium, view, options, colours);
+        const double count = static_cast<double>(colours.size());
+        double absorbed = 0, cut = 0;
+        for (std::size_t c = 0; c < colours.size(); ++c) {
+            const Exits alone =
+                trace_view(brilliant_stone(), medium, view, options, {&colours[c], 1});
+            absorbed += alone.absorbed / count;
+            cut += alone.cut / count;
+            std::array<double, 2> light{}, truth{};
+            for (std::size_t i = 0; i < alone.size(); ++i) {
+                const double seen = alone.weight[i].s0 * alone.area[i];
+                truth[0] += seen;
+                truth[1] += seen * alone.direction[i].x;
+            }
+            double worst = 0;
+            for (std::size_t i = 0; i < together.size(); ++i) {
+                const double seen =
+                    together.weight[i].s0 * together.tint_of(i)[c] * together.area[i];
+                light[0] += seen;
+                light[1] += seen * together.direction[i].x;
+                // The picture's depth has the same mean.
+                if (together.hits[i] == 1) continue;
+                const PolygonView polygon(together.corners.data() + together.outline[i],
+                                          together.outline[i + 1] - together.outline[i]);
+                double mean = 0;
+                for (std::size_t d = 0; d < colours.size(); ++d) {
+                    mean += mean_transmission(polygon, together.depth(i, d)) / count;
+                }
+                const double left = mean_transmission(polygon, together.depth(i, c));
+                worst = std::max(worst, std::abs(left / mean - together.tint_of(i)[c]));
+            }
+            CAPTURE(static_cast<int>(medium.symmetry), c);
+            CHECK(std::abs(light[0] - truth[0]) < 1e-9 * truth[0]);
+            CHECK(std::abs(light[1] - truth[1]) < 1e-9 * truth[0]);
+            CHECK(worst < 1e-7);
+        }
+        CHECK(std::abs(together.absorbed - absorbed) < 1e-8);
+        CHECK(std::abs(together.cut - cut) < 1e-8);
+    }
+}
+
+TEST_CASE("an absorption that has other axes than its medium is refused", "[views]") {
+    Absorption odd;
+    odd.tensor = dyad(normalised(Vec3{1, 1, 0}));
+    for (const Medium& medium : {Medium::isotropic(1.5), Medium::uniaxial(1.5, 1.6, {0, 0, 1})}) {
+        CHECK_THROWS_WITH(trace_view(cube_stone(), medium, {}, {}, {&odd, 1}),
+                          Catch::Matchers::Contains("the axes of the medium"));
     }
 }
 
@@ -110,8 +179,8 @@ TEST_CASE("a coloured stone returns what its rays return, on average", "[views]"
     ViewOptions options;
     options.bound = 2e-3;
     options.outlines = true;
-    const Exits e =
-        trace_view(scene.gems[0].stone, Medium::uniaxial(1.642, 1.622, axis), {}, options, colour);
+    const Exits e = trace_view(scene.gems[0].stone, Medium::uniaxial(1.642, 1.622, axis), {},
+                               options, {&colour, 1});
     double seen = 0;
     for (std::size_t i = 0; i < e.size(); ++i) {
         for (const PictureImage& image : e.images) {

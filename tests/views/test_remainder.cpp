@@ -43,7 +43,7 @@ TEST_CASE("a sample keeps the light that exact tracing left", "[views][furnace]"
         Absorption colour;
         if (i % 4 >= 2) colour.per_length = 0.2;
         const Exits e = trace_view(stone, medium, {direction, random.perpendicular_to(direction)},
-                                   options, colour);
+                                   options, {&colour, 1});
         CAPTURE(i, e.beams, e.sampled, e.untraced, e.residue);
         CHECK(std::abs(listed(e) + e.cut + e.absorbed + e.residue - e.area_total) <
               1e-12 * e.area_total);
@@ -51,7 +51,8 @@ TEST_CASE("a sample keeps the light that exact tracing left", "[views][furnace]"
         CHECK(e.groups > 1);
         // What was traced exactly is what it is without a sample.
         options.error = 0;
-        const Exits plain = trace_view(stone, medium, {direction, e.frame.up}, options, colour);
+        const Exits plain =
+            trace_view(stone, medium, {direction, e.frame.up}, options, {&colour, 1});
         CHECK(plain.beams + e.sampled == e.beams);
         CHECK(plain.residue == plain.untraced);
         double exact = 0, without = 0;
