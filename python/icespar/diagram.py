@@ -163,9 +163,14 @@ class _Sheet:
                 continue
             _, axes, at, plan = best
             middle = np.array([0.0, 0.0 if plan else self.middle])
-            out = at - middle
-            out = out / (np.linalg.norm(out) or 1)
-            end = middle + out * self.radius * (1.09 if plan else 1.2)
+            out, reach = at - middle, self.radius * (1.09 if plan else 1.2)
+            if np.linalg.norm(out) > 0.02 * self.radius:
+                end = middle + out * (reach / np.linalg.norm(out))
+            else:  # a culet has no side of its own: past the other names, and not along edges
+                words = [text.get_position() for text in axes.texts if text.get_transform() is axes.transData]
+                turns = 2 * np.pi * (np.arange(32) + 0.5) / 32
+                ends = middle + reach * np.stack([np.sin(turns), -np.cos(turns)], axis=1)
+                end = max(ends, key=lambda to: round(_nearest(words, at, to) / self.radius, 6))
             axes.annotate(
                 missing, at, end, fontsize=6, ha="center", va="center", arrowprops={"arrowstyle": "-", "linewidth": 0.4}
             )
@@ -193,6 +198,13 @@ class _Sheet:
                 axes.text(
                     *(along * self.radius * (_WHEEL + 0.11)), tooth or teeth, ha="center", va="center", fontsize=6, color="0.3"
                 )
+
+
+def _nearest(points: list[tuple[float, float]], start: NDArray[np.float64], end: NDArray[np.float64]) -> float:
+    """How near the line from start to end comes to one of the points."""
+    to, along = np.reshape(points, (-1, 2)) - start, end - start
+    part = np.clip(to @ along / (along @ along), 0, 1)
+    return float(np.linalg.norm(to - part[:, None] * along, axis=1).min(initial=np.inf))
 
 
 def _area(polygon: NDArray[np.float64]) -> float:

@@ -247,7 +247,7 @@ def html(analyses: list[Analysis], size: int = 280, spp: int = 24) -> str:
 
 def _png(gem: Gem, light: str, tilt: tuple[float, float], size: int, spp: int) -> str:
     """A picture as a data URI. The instruments' colours are a code, so those show the clear stone without dispersion."""
-    picture = gem.picture(light, tilt, size=size, error=None, spp=spp, clear=light != "lamps")
+    picture = gem.picture(light, tilt, size=size, error=0.01, spp=spp, clear=light != "lamps")
     return _uri("image/png", picture._repr_png_())
 
 

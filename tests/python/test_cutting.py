@@ -132,6 +132,19 @@ def test_every_facet_name_stands_in_the_diagram_and_the_views_are_turned_as_they
         assert highest == pytest.approx(design.stone().vertices[:, 2].max())
 
 
+def test_no_line_to_a_name_strikes_another(root):
+    figure = diagram.facet_diagram(root / "scenes/designs/srb_quartz.asc")
+    (pavilion,) = (axes for axes in figure.axes if "CU" in shown(axes))
+    (culet,) = (text for text in pavilion.texts if text.get_text() == "CU")
+    start, end = np.array(culet.xy), np.array(culet.xyann)
+    for text in pavilion.texts:
+        if text is culet or text.get_transform() is not pavilion.transData:
+            continue
+        to, along = np.array(text.get_position()) - start, end - start
+        part = np.clip(to @ along / (along @ along), 0, 1)
+        assert np.linalg.norm(to - part * along) > 0.05 * np.linalg.norm(along), text.get_text()
+
+
 def test_a_faceting_sheet_holds_the_whole_cutting_table(root):
     design = icespar.Design.read(root / "scenes/designs/trilliant_quartz.asc")
     sheet = diagram.faceting_sheet(design)
