@@ -51,6 +51,18 @@ int next_ray_pass(const RenderOptions& o, int done) {
     return o.seconds > 0 && done < samples_per_pass ? 1 : samples_per_pass;
 }
 
+/// The length of the next pass over that of all before, so that the error of both together is so
+/// much less. Passes of n samples err by n^-slope, and count as n in the mean.
+double longer_pass(double less, double slope) {
+    constexpr double margin = 1.05, longest = 16;
+    const auto left = [&](double length) {
+        return std::sqrt(1 + std::pow(length, 2 - 2 * slope)) / (1 + length);
+    };
+    double length = 0.5;
+    while (length < longest && left(length) * less * margin > 1) length *= 1.05;
+    return length;
+}
+
 /// Error falls faster with one long pass of beams than with several short ones. Where a pass cannot
 /// tell its own error, the first is a short one, and the difference tells.
 int next_beam_pass(const RenderOptions& o, int done, int wanted, double error, bool tells_error) {
@@ -61,10 +73,10 @@ int next_beam_pass(const RenderOptions& o, int done, int wanted, double error, b
     }
     if (wanted > 0) return wanted;
     double factor = 2;
-    if (o.error > 0 && error > 0) factor = 1.1 * std::pow(error / o.error, 1 / slope);
+    if (o.error > 0 && error > 0) factor = longer_pass(error / o.error, slope);
     constexpr double most = 1 << 16;  // so that no pixel takes long
     return static_cast<int>(
-        std::min(most, done * std::clamp(factor, 1.0, o.seconds > 0 ? 2.0 : 16.0)));
+        std::min(most, done * (o.seconds > 0 ? std::min(2.0, factor) : factor)));
 }
 
 }  // namespace
