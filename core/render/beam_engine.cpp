@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 #include <optional>
 #include <variant>
@@ -158,7 +157,8 @@ public:
         threshold_ = 1.0 / samples;
         share_ = 1;
         sampler.begin(seed);
-        next_ = sampler.uniform();
+        seed_ = seed;
+        next_ = 0;
         sampler.inside_threshold = sampler.outside_threshold = 0.1 * threshold_;
         const Scene& scene = world_.scene();
         if (stone == BeamScene::sky) {
@@ -223,14 +223,14 @@ public:
         const int rays = std::max(1, static_cast<int>(std::lround(weight * samples_)));
         const Vec3& centre = stones_.facets[static_cast<std::size_t>(gem_)].centre();
         for (int i = 0; i < rays; ++i) {
-            next_ += golden;
-            next_ -= std::floor(next_);
-            const double drawn = spectral_ ? colour_->draw(next_) : next_;
+            const CameraSample at = camera_sample(seed_, next_++);
+            const double drawn = spectral_ ? colour_->draw(at.wavelength) : at.wavelength;
             sampler_->at_wavelength(drawn);
             const double nm = sampler_->wavelength_nm();
             const Vec3 apart = spectral_ ? (SkySpectrum::colour(nm) - middle_) * leaf.fan : Vec3{};
             const double exact = spectral_ ? colour_->correction(drawn, nm) : 1;
-            Branch b = continued(leaf, random_point(leaf.polygon), apart, centre, gem_, spectral_);
+            Branch b =
+                continued(leaf, point_in(leaf.polygon, at.x, at.y), apart, centre, gem_, spectral_);
             follow(b, exact * share_ * leaf.area / rays);
         }
     }
@@ -288,11 +288,6 @@ private:
         return SkySpectrum::wavelength_nm(middle_);
     }
 
-    [[nodiscard]] Point2 random_point(PolygonView polygon) {
-        const double u = sampler_->uniform();
-        return point_in(polygon, u, sampler_->uniform());
-    }
-
     void follow(Branch& b, double share) {
         b.scale(share);
         walker_.walk(b, sampler_->wavelength_nm(), *sampler_);
@@ -340,11 +335,12 @@ private:
         const int rays = std::max(1, static_cast<int>(std::lround(e.area * samples_)));
         const Vec3& centre = stones_.facets[static_cast<std::size_t>(gem_)].centre();
         for (int i = 0; i < rays; ++i) {
-            const Point2 p = random_point(polygon);
+            const CameraSample at = camera_sample(seed_, next_++);
+            const Point2 p = point_in(polygon, at.x, at.y);
             Branch b = Branch::from_sensor(field_.origin.at(p) + centre,
                                            normalised(field_.direction.at(p)),
                                            world_.scene().camera.right);
-            sampler_->at_wavelength(sampler_->uniform());
+            sampler_->at_wavelength(at.wavelength);
             follow(b, e.area / rays);
         }
     }
@@ -375,11 +371,10 @@ private:
     static constexpr std::size_t points_a_cell = 8;
     int gem_ = 0, samples_ = 1;
     double threshold_ = 1, share_ = 1;
-    bool spectral_ = false;             ///< paths stand for pieces of the spectrum
-    std::vector<double> cell_colours_;  ///< of narrow bands that pieces are made of
-    double middle_ = 0;                 ///< colour of the paths, where they go on as rays
-    static constexpr double golden = std::numbers::phi - 1;
-    double next_ = 0;  ///< where in the unit interval the next ray's wavelength is drawn
+    bool spectral_ = false;              ///< paths stand for pieces of the spectrum
+    std::vector<double> cell_colours_;   ///< of narrow bands that pieces are made of
+    double middle_ = 0;                  ///< colour of the paths, where they go on as rays
+    std::uint64_t seed_ = 0, next_ = 0;  ///< of the pixel; number of its next ray
 };
 
 }  // namespace
