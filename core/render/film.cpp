@@ -9,6 +9,8 @@ namespace {
 
 /// Beyond this a picture in floats would hold infinities.
 constexpr double brightest = 1e30;
+/// Of the unit interval: where a wavelength is to be found in it.
+constexpr std::size_t guides = 512;
 
 double luminance(const double* rgb, int stride) {
     return xyz_from_rgb({rgb[0], rgb[stride], rgb[2 * stride]})[1];
@@ -20,24 +22,38 @@ WavelengthSampler::WavelengthSampler(bool uniform) : uniform_(uniform), cumulati
     for (double nm = shortest_nm; nm < longest_nm; nm += 1) {
         const Xyz o = observer(nm + 0.5);
         cumulative_.push_back(cumulative_.back() + o[0] + o[1] + o[2] + 1e-4);
+        rgb_.push_back(rgb_from_xyz(observer(nm)));
     }
+    rgb_.push_back(rgb_from_xyz(observer(longest_nm)));
     for (double& c : cumulative_) c /= cumulative_.back();
+    for (std::size_t i = 0, cell = 0; i < guides; ++i) {
+        while (cumulative_[cell + 1] * guides <= static_cast<double>(i)) ++cell;
+        start_.push_back(cell);
+    }
 }
 
 WavelengthSampler::Draw WavelengthSampler::draw(double u) const {
     Draw d{};
+    std::size_t cell = 0;
+    double within = 0;
     if (uniform_) {
-        d.wavelength_nm = shortest_nm + u * (longest_nm - shortest_nm);
+        const double place = u * (longest_nm - shortest_nm);
+        cell = std::min(static_cast<std::size_t>(place), rgb_.size() - 2);
+        within = place - static_cast<double>(cell);
         d.per_density = longest_nm - shortest_nm;
     } else {
-        const auto next = std::upper_bound(cumulative_.begin() + 1, cumulative_.end() - 1, u);
-        const double step = *next - *(next - 1);
-        const auto cell = static_cast<double>(next - 1 - cumulative_.begin());
-        d.wavelength_nm = shortest_nm + cell + (u - *(next - 1)) / step;
+        cell = start_[std::min(static_cast<std::size_t>(u * guides), guides - 1)];
+        while (cell + 2 < cumulative_.size() && cumulative_[cell + 1] <= u) ++cell;
+        const double step = cumulative_[cell + 1] - cumulative_[cell];
+        within = (u - cumulative_[cell]) / step;
         d.per_density = 1 / step;
     }
-    const Rgb rgb = rgb_from_xyz(observer(d.wavelength_nm));
-    d.rgb = {rgb[0] * d.per_density, rgb[1] * d.per_density, rgb[2] * d.per_density};
+    d.wavelength_nm = shortest_nm + static_cast<double>(cell) + within;
+    // The observer is linear between whole nm.
+    for (std::size_t c = 0; c < 3; ++c) {
+        const double below = rgb_[cell][c], above = rgb_[cell + 1][c];
+        d.rgb[c] = d.per_density * (below + within * (above - below));
+    }
     return d;
 }
 

@@ -24,6 +24,9 @@ public:
 private:
     bool uniform_;
     std::vector<double> cumulative_;  ///< per nm of the rendered range, from 0 to 1
+    std::vector<std::size_t>
+        start_;             ///< of equal parts of the unit interval: where they begin there
+    std::vector<Rgb> rgb_;  ///< of unit spectral radiance, at each nm
 };
 
 /// Sums of one pixel's samples. A component is S0 alone or S0..S3; channels are R, G, B and the

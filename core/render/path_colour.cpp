@@ -66,15 +66,20 @@ double PathColour::transmit(std::span<const Affine> lengths) {
 }
 
 double PathColour::draw(double u) const {
+    const double colours = static_cast<double>(tint_.size());
+    if (!crystal_->absorbs()) {
+        return (static_cast<double>(first_) + u * static_cast<double>(last_ - first_)) / colours;
+    }
     const double wanted = u * static_cast<double>(last_ - first_);
     double before = 0;
     std::size_t i = first_;
     for (; i + 1 < last_ && before + tint_[i] <= wanted; ++i) before += tint_[i];
     const double within = std::clamp((wanted - before) / tint_[i], 0.0, 1.0);
-    return (static_cast<double>(i) + within) / static_cast<double>(tint_.size());
+    return (static_cast<double>(i) + within) / colours;
 }
 
 double PathColour::correction(double drawn, double wavelength_nm) const {
+    if (!crystal_->absorbs()) return 1;
     const auto absorption = absorption_of(*crystal_, wavelength_nm);
     double depth = 0;
     for (std::size_t l = 0; l < 3; ++l) depth += absorption[l] * lengths_[l];
