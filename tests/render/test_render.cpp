@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "crystal/mineral.hpp"
+#include "render/film.hpp"
 #include "support/gem_scenes.hpp"
 
 using namespace icespar;
@@ -222,4 +223,28 @@ TEST_CASE("bands seen through a dispersive stone hold the furnace's spectrum too
             CHECK(std::abs(m.value) <= 5 * m.standard_error + 1e-6);
         }
     }
+}
+
+TEST_CASE("wavelengths drawn evenly add up to white, each as bright as it is rare", "[render]") {
+    const bool uniform = GENERATE(false, true);
+    const WavelengthSampler wavelengths(uniform);
+    constexpr int count = 200000;
+    Rgb sum{};
+    double range = 0, before = shortest_nm;
+    bool rises = true;
+    for (int i = 0; i < count; ++i) {
+        const auto draw = wavelengths.draw((i + 0.5) / count);
+        for (std::size_t c = 0; c < 3; ++c) sum[c] += draw.rgb[c] / count;
+        range += draw.per_density / count;
+        rises = rises && draw.wavelength_nm >= before;
+        before = draw.wavelength_nm;
+    }
+    CHECK(rises);
+    CHECK(before <= longest_nm);
+    // The midpoint rule over cells of constant density.
+    const Rgb white = rgb_of(Spectrum(1.0));
+    for (std::size_t c = 0; c < 3; ++c) CHECK(sum[c] == Approx(white[c]).epsilon(1e-4));
+    CHECK(range == Approx(longest_nm - shortest_nm).epsilon(uniform ? 1e-10 : 1e-2));
+    CHECK(wavelengths.draw(0).wavelength_nm == shortest_nm);
+    CHECK(wavelengths.draw(std::nextafter(1.0, 0.0)).wavelength_nm <= longest_nm);
 }
