@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "beams/response.hpp"
+#include "math/random.hpp"
 #include "render/sampler.hpp"
 #include "render/sky_light.hpp"
 #include "render/stone_optics.hpp"
@@ -154,13 +155,14 @@ void PaintedPart::add(const PaintedPart& other) {
 
 ViewPainter::ViewPainter(const Scene& scene, const Palette& palette,
                          const WavelengthSampler& wavelengths, const RenderOptions& options,
-                         const Film& film)
+                         const Film& film, int pass)
     : scene_(scene),
       palette_(palette),
       wavelengths_(wavelengths),
       options_(options),
       film_(film),
-      values_(film.channels() * film.components()) {
+      values_(film.channels() * film.components()),
+      pass_(pass) {
     const Camera& camera = scene.camera;
     const Vec3 d = normalised(camera.direction);
     view_ = {d, cross(camera.right - dot(camera.right, d) * d, d)};
@@ -174,6 +176,8 @@ PaintedPart ViewPainter::paint(int i, int parts, const std::function<bool()>& go
     const Gem& gem = scene_.gems[0];
     const std::vector<Hue> hues = hues_of(gem.crystal, i, parts);
     ViewOptions options = how(parts, pixels_of(gem.stone), go_on);
+    options.seed = mixed(mixed(mixed(options_.seed) + static_cast<std::uint64_t>(pass_)) +
+                         static_cast<std::uint64_t>(i));
     if (hues.size() > 1 && gem.crystal.parts_wavelengths()) {
         options.fan = change(gem.crystal, i * share, (i + 1) * share);
     }
@@ -253,12 +257,16 @@ PaintedPart ViewPainter::paint(int i, int parts, const std::function<bool()>& go
 }
 
 /// A beam of the sample stands for others that lie about it as likely: by how much its light
-/// adds to the squared errors of pixels of the size 1, on which it may lie anyhow.
+/// adds to the squared errors of pixels of the size 1, on which it may lie anyhow, as a square of
+/// its area would. Beams that come of one another also lie upon each other, which adds about a
+/// seventh (measured, in stones of all kinds).
 double ViewPainter::squares(const std::vector<double>& sample, double area) const {
-    constexpr double shared = 1.25;
+    constexpr double stacked = 1.15;
     const auto step = static_cast<std::size_t>(film_.components());
     const double light = xyz_from_rgb({sample[0], sample[step], sample[2 * step]})[1];
-    return light * light * area * area / (area + shared);
+    const double side = std::sqrt(area);
+    const double covered = side < 1 ? area * (1 - side / 3) : side - 1.0 / 3;
+    return stacked * light * light * covered * covered;
 }
 
 /// Pixels that the stone covers in the view.

@@ -32,7 +32,7 @@ public:
     static constexpr int batch = 8;
 
     ViewPainter(const Scene& scene, const Palette& palette, const WavelengthSampler& wavelengths,
-                const RenderOptions& options, const Film& film);
+                const RenderOptions& options, const Film& film, int pass);
 
     [[nodiscard]] Raster raster() const { return {film_.width(), film_.height(), values_}; }
 
@@ -65,6 +65,7 @@ private:
     const Film& film_;
     int values_;
     ParallelView view_;
+    int pass_;  ///< has a sample of its own
 };
 
 }  // namespace icespar

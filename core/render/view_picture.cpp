@@ -24,6 +24,145 @@ int spread(int i, int count) {
     return static_cast<int>((count / 2 + static_cast<long long>(i) * step) % count);
 }
 
+/// A picture by all parts of the spectrum that were done.
+struct Drawn {
+    PaintedPart whole;
+    int wavelengths = 0;
+    std::vector<double> pixels;
+    double error = 0;  ///< relative, of its luminance
+
+    /// The mean of two that know nothing of each other, by how sure they are.
+    void add(const Drawn& other) {
+        const double mine = 1 / (error * error), others = 1 / (other.error * other.error),
+                     share = others / (mine + others);
+        const auto mix = [&](double& a, double b) { a += share * (b - a); };
+        for (std::size_t i = 0; i < pixels.size(); ++i) mix(pixels[i], other.pixels[i]);
+        mix(whole.dropped, other.whole.dropped);
+        mix(whole.absorbed, other.whole.absorbed);
+        whole.beams += other.whole.beams;
+        error = 1 / std::sqrt(mine + others);
+    }
+};
+
+/// Draws pictures of one scene, as long as its caller wants.
+class Drawing {
+public:
+    Drawing(const Scene& scene, const Palette& palette, const WavelengthSampler& wavelengths,
+            const RenderOptions& options, const ProgressCallback& progress, const Film& film)
+        : scene_(scene),
+          palette_(palette),
+          wavelengths_(wavelengths),
+          progress_(progress),
+          film_(film),
+          arena_(options.threads > 0 ? options.threads : tbb::task_arena::automatic) {
+        const Crystal& crystal = scene.gems[0].crystal;
+        parts_ = crystal.dispersive() && options.samples > 0 ? options.samples : parts_of(crystal);
+        batches_ = (parts_ + ViewPainter::batch - 1) / ViewPainter::batch;
+    }
+
+    [[nodiscard]] bool stopped() const { return stop_; }
+
+    /// Other passes have other samples of the rest.
+    Drawn draw(const RenderOptions& options, int pass) {
+        const ViewPainter painter(scene_, palette_, wavelengths_, options, film_, pass);
+        Raster sum = painter.raster();
+        Drawn out;
+        const auto go_on = [&] { return this->go_on(); };
+        bool begun = false;
+        int done = 0;
+        while (done < batches_ && go_on()) {
+            begun = true;
+            if (!add(painter, done, go_on, sum, out)) break;
+            ++done;
+        }
+        if (begun && done == 0) {
+            RenderOptions coarse = options;
+            coarse.error = 0.05;
+            coarse.seconds = 0;
+            add({scene_, palette_, wavelengths_, coarse, film_, pass}, 0, {}, sum, out);
+        }
+        if (out.wavelengths > 0) finish(painter, sum, out);
+        return out;
+    }
+
+private:
+    // Traces may take long: this thread looks at the caller's wish between their beams.
+    bool go_on() {
+        if (std::this_thread::get_id() != own_thread_) return !stop_;
+        state_.seconds =
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+        if (progress_ && !progress_(state_)) stop_ = true;
+        return !stop_;
+    }
+
+    bool add(const ViewPainter& by, int b, const std::function<bool()>& asks, Raster& sum,
+             Drawn& out) {
+        // Parts with `batches` - 1 between them; batches that follow one another are far apart.
+        const int first = spread(b, batches_), count = (parts_ - first + batches_ - 1) / batches_;
+        std::vector<Raster> rasters(static_cast<std::size_t>(count), by.raster());
+        std::vector<PaintedPart> painted(rasters.size());
+        arena_.execute([&] {
+            tbb::parallel_for(0, count, [&](int i) {
+                const auto at = static_cast<std::size_t>(i);
+                painted[at] = by.paint(first + i * batches_, parts_, asks, rasters[at]);
+            });
+        });
+        // Some wavelengths of what was stopped lack more light than others.
+        if (stop_ && asks && parts_ > 1) return false;
+        for (std::size_t i = 0; i < rasters.size(); ++i) {
+            sum.add(rasters[i]);
+            out.whole.add(painted[i]);
+        }
+        out.wavelengths += count;
+        state_.done = std::max(state_.done, static_cast<double>(out.wavelengths) / parts_);
+        return true;
+    }
+
+    /// As bright together as all wavelengths are.
+    void finish(const ViewPainter& painter, Raster& sum, Drawn& out) const {
+        PaintedPart& whole = out.whole;
+        std::vector<double> scale(whole.white.size(), 1.0);
+        if (out.wavelengths < parts_) {
+            const std::vector<double> white = painter.white();
+            for (std::size_t c = 0; c < scale.size(); ++c) {
+                constexpr double least = 0.02;  // of the light, for a channel to stand for all
+                if (whole.white[c] > least * white[c]) scale[c] = white[c] / whole.white[c];
+            }
+        }
+        const double missing = static_cast<double>(parts_) / out.wavelengths;
+        whole.dropped *= missing;
+        whole.absorbed *= missing;
+        sum.finish();
+        double light = 0;
+        const auto step = static_cast<std::size_t>(film_.components());
+        for (int y = 0; y < film_.height(); ++y) {
+            for (int x = 0; x < film_.width(); ++x) {
+                const auto pixel = sum.pixel(x, y);
+                const std::size_t first = out.pixels.size();
+                for (std::size_t v = 0; v < pixel.size(); ++v) {
+                    out.pixels.push_back(scale[v / step] * pixel[v]);
+                }
+                const double* p = &out.pixels[first];
+                light += xyz_from_rgb({p[0], p[step], p[2 * step]})[1];
+            }
+        }
+        const double pixels = static_cast<double>(film_.width()) * film_.height();
+        if (light > 0) out.error = missing * std::sqrt(whole.variance * pixels) / light;
+    }
+
+    const Scene& scene_;
+    const Palette& palette_;
+    const WavelengthSampler& wavelengths_;
+    const ProgressCallback& progress_;
+    const Film& film_;
+    tbb::task_arena arena_;
+    int parts_ = 1, batches_ = 1;
+    Progress state_;
+    std::atomic<bool> stop_{false};
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    std::thread::id own_thread_ = std::this_thread::get_id();
+};
+
 }  // namespace
 
 std::string view_obstacle(const Scene& scene) {
@@ -40,90 +179,38 @@ std::string view_obstacle(const Scene& scene) {
 ViewPicture add_view(const Scene& scene, const Palette& palette,
                      const WavelengthSampler& wavelengths, const RenderOptions& options,
                      const ProgressCallback& progress, Film& film) {
-    const auto start = std::chrono::steady_clock::now();
-    const ViewPainter painter(scene, palette, wavelengths, options, film);
-    const Crystal& crystal = scene.gems[0].crystal;
-    const int parts =
-        crystal.dispersive() && options.samples > 0 ? options.samples : parts_of(crystal);
-    Progress state;
+    Drawing drawing(scene, palette, wavelengths, options, progress, film);
+    Drawn drawn = drawing.draw(options, 0);
     ViewPicture out;
-    // Traces may take long: this thread looks at the caller's wish between their beams.
-    std::atomic<bool> stop{false};
-    const auto own_thread = std::this_thread::get_id();
-    const auto go_on = [&] {
-        if (std::this_thread::get_id() != own_thread) return !stop;
-        state.seconds =
-            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-        if (progress && !progress(state)) stop = true;
-        return !stop;
-    };
-    Raster sum = painter.raster();
-    PaintedPart whole;
-    tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
-    const int batches = (parts + ViewPainter::batch - 1) / ViewPainter::batch;
-    const auto add = [&](const ViewPainter& by, int b, const std::function<bool()>& asks) {
-        // Parts with `batches` - 1 between them; batches that follow one another are far apart.
-        const int first = spread(b, batches), count = (parts - first + batches - 1) / batches;
-        std::vector<Raster> rasters(static_cast<std::size_t>(count), by.raster());
-        std::vector<PaintedPart> painted(rasters.size());
-        arena.execute([&] {
-            tbb::parallel_for(0, count, [&](int i) {
-                const auto at = static_cast<std::size_t>(i);
-                painted[at] = by.paint(first + i * batches, parts, asks, rasters[at]);
-            });
-        });
-        // Some wavelengths of what was stopped lack more light than others.
-        if (stop && asks && parts > 1) return false;
-        for (std::size_t i = 0; i < rasters.size(); ++i) {
-            sum.add(rasters[i]);
-            whole.add(painted[i]);
-        }
-        out.wavelengths += count;
-        state.done = static_cast<double>(out.wavelengths) / parts;
-        return true;
-    };
-    int done = 0;
-    bool begun = false;
-    while (done < batches && go_on()) {
-        begun = true;
-        if (!add(painter, done, go_on)) break;
-        ++done;
+    out.wavelengths = drawn.wavelengths;
+    // How much error a sample of a size leaves is not known before: what is missing is added.
+    constexpr int most_passes = 16;
+    const double told = drawn.error / options.error;
+    for (int pass = 1; pass < most_passes; ++pass) {
+        const bool wanted = options.error > 0 && options.seconds == 0;
+        if (!wanted || drawing.stopped() || !(drawn.error > options.error)) break;
+        constexpr double margin = 0.95;
+        const double ratio = options.error / drawn.error;
+        RenderOptions rest = options;
+        rest.error = margin * options.error / std::sqrt(1 - ratio * ratio) / told;
+        const Drawn more = drawing.draw(rest, pass);
+        if (drawing.stopped()) break;
+        drawn.add(more);
     }
-    if (begun && done == 0) {
-        RenderOptions coarse = options;
-        coarse.error = 0.05;
-        coarse.seconds = 0;
-        add({scene, palette, wavelengths, coarse, film}, 0, {});
-    }
-    out.interrupted = stop;
-    out.beams = whole.beams;
+    out.interrupted = drawing.stopped();
+    out.beams = drawn.whole.beams;
+    out.dropped = drawn.whole.dropped;
+    out.absorbed = drawn.whole.absorbed;
+    out.error = drawn.error;
     if (out.wavelengths == 0) return out;
-    std::vector<double> scale(whole.white.size(), 1.0);
-    if (out.wavelengths < parts) {
-        const std::vector<double> white = painter.white();
-        for (std::size_t c = 0; c < scale.size(); ++c) {
-            constexpr double least = 0.02;  // of the light, for a channel to stand for all of it
-            if (whole.white[c] > least * white[c]) scale[c] = white[c] / whole.white[c];
-        }
-    }
-    const double missing = static_cast<double>(parts) / out.wavelengths;
-    out.dropped = missing * whole.dropped;
-    out.absorbed = missing * whole.absorbed;
-    sum.finish();
-    std::vector<double> sample;
-    double light = 0;
-    const auto step = static_cast<std::size_t>(film.components());
+    const auto values = static_cast<std::size_t>(film.channels() * film.components());
+    auto at = drawn.pixels.begin();
     for (int y = 0; y < film.height(); ++y) {
         for (int x = 0; x < film.width(); ++x) {
-            const auto pixel = sum.pixel(x, y);
-            sample.assign(pixel.begin(), pixel.end());
-            for (std::size_t v = 0; v < sample.size(); ++v) sample[v] *= scale[v / step];
-            light += xyz_from_rgb({sample[0], sample[step], sample[2 * step]})[1];
-            film.add(x, y, sample);
+            film.add(x, y, {at, at + static_cast<std::ptrdiff_t>(values)});
+            at += static_cast<std::ptrdiff_t>(values);
         }
     }
-    const double pixels = static_cast<double>(film.width()) * film.height();
-    if (light > 0) out.error = missing * std::sqrt(whole.variance * pixels) / light;
     return out;
 }
 

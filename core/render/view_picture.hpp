@@ -21,11 +21,12 @@ struct ViewPicture {
 };
 
 /// Adds the picture to the film as one sample. Follows light exactly until a sample of the rest has
-/// about the relative error options.error (0.004 when that is 0; then until a thousandth is left,
-/// at least) or for options.seconds; a stone that treats wavelengths differently is traced for
-/// options.samples of them (when that is 0, 16, or 4 where it parts none). Interrupted, it adds the
-/// wavelengths that are done, as bright together as all are; of one wavelength what was followed;
-/// of the first few of many a coarse picture.
+/// about the relative error options.error, and adds samples until it has (sixteen at most; when it
+/// is 0, until about 0.004, and a thousandth at least is left), or for options.seconds; a stone
+/// that treats wavelengths differently is traced for options.samples of them (when that is 0, 16,
+/// or 4 where it parts none). Interrupted, it adds the wavelengths that are done, as bright
+/// together as all are; of one wavelength what was followed; of the first few of many a coarse
+/// picture.
 [[nodiscard]] ViewPicture add_view(const Scene& scene, const Palette& palette,
                                    const WavelengthSampler& wavelengths,
                                    const RenderOptions& options, const ProgressCallback& progress,
