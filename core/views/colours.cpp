@@ -13,7 +13,8 @@ namespace icespar {
 namespace {
 
 /// Central ones of a convex polygon, over its area.
-struct PolygonMoments {
+class PolygonMoments {
+public:
     Point2 centre;
     double xx = 0, xy = 0, yy = 0;
     double reach2 = 0;  ///< squared distance of the farthest corner
@@ -30,12 +31,25 @@ struct PolygonMoments {
             xy += part * (a.x * a.y + 0.5 * (a.x * b.y + a.y * b.x) + b.x * b.y);
             yy += part * (a.y * a.y + a.y * b.y + b.y * b.y);
         }
+        reach_from(polygon[0], polygon);
+        // Of a sliver rounding knows no more than a corner.
+        constexpr double thin = 1e-9;
+        if (!(area > thin * reach2)) {
+            xx = xy = yy = 0;
+            return;
+        }
         x /= 3 * area;
         y /= 3 * area;
         xx = xx / (6 * area) - x * x;
         xy = xy / (6 * area) - x * y;
         yy = yy / (6 * area) - y * y;
-        centre = {polygon[0].x + x, polygon[0].y + y};
+        reach_from({polygon[0].x + x, polygon[0].y + y}, polygon);
+    }
+
+private:
+    void reach_from(const Point2& point, PolygonView polygon) {
+        centre = point;
+        reach2 = 0;
         for (const Point2& p : polygon) {
             const Point2 d = p - centre;
             reach2 = std::max(reach2, d.x * d.x + d.y * d.y);

@@ -36,7 +36,9 @@ double mean_transmission(PolygonView polygon, const Affine& depth) {
         area += part;
         sum += part * mean_exp(depth(polygon[0]), depth(polygon[i - 1]), depth(polygon[i]));
     }
-    return sum / area;
+    // In a sliver rounding takes over: the mean is never beyond those of the corners.
+    const auto [low, high] = range_of(polygon, depth);
+    return std::fmin(std::exp(-low), std::fmax(std::exp(-high), sum / area));
 }
 
 }  // namespace icespar

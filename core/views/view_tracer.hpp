@@ -39,6 +39,9 @@ public:
 
     void run() {
         frame_.centre = cells_.facets().centre();
+        for (const Vec3& v : stone_.vertices) {
+            diameter_ = std::max(diameter_, 2 * length(v - frame_.centre));
+        }
         out_.frame = frame_;
         out_.rates = colours_.rates();
         if (options_.outlines) out_.outline.assign(1, 0);
@@ -262,11 +265,12 @@ private:
         const Beam before = beam_;
         const Vec3 along = flow();
         if constexpr (absorbing) growth(along);
+        const double longest = diameter_ / length(along);
         double met = 0, left = 0;
         for (const FacetCells::Piece& piece :
              cells_.divide(before.place, along, before.left, polygon_, extent(polygon_).centroid)) {
             const double area = extent(piece.polygon).area;
-            if (!(area > 0)) continue;
+            if (!(area > 0) || !passable(piece, longest)) continue;
             met += area;
             beam_ = before;
             beam_.area = area;
@@ -287,6 +291,14 @@ private:
         }
         out_.gaps += gap;
         give_up(before.entry, lost);
+    }
+
+    /// Beside rays that graze a facet rounding leaves slivers: no way in the stone is below 0 or
+    /// longer than `longest`, but light would grow or all but vanish on theirs.
+    [[nodiscard]] static bool passable(const FacetCells::Piece& piece, double longest) {
+        constexpr double rounding = 1e-6;
+        const auto [low, high] = range_of(piece.polygon, piece.distance);
+        return low > -rounding * longest && high < (1 + rounding) * longest;
     }
 
     /// On the way of beam_ to its facet; what of its area's light arrives there.
@@ -439,6 +451,7 @@ private:
     ViewSymmetry symmetry_;
     BeamQueue<Beam> queue_;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    double diameter_ = 0;                 ///< at least the stone's
     double waiting_ = 0;                  ///< weight times area of what is in the queue
     int group_ = 0;                       ///< that is being sampled
     BeamList<Beam>* children_ = nullptr;  ///< where its beams go on

@@ -21,6 +21,52 @@ TEST_CASE("what passes through a wedge is the mean over its thickness", "[views]
     }
 }
 
+TEST_CASE("the mean over a sliver lies between those of its corners", "[views]") {
+    Random random(5);
+    for (int i = 0; i < 20'000; ++i) {
+        const Point2 a{random.uniform(-1, 1), random.uniform(-1, 1)},
+            along{random.uniform(-1, 1), random.uniform(-1, 1)},
+            across = std::pow(10, random.uniform(-17, -14)) * Point2{-along.y, along.x};
+        const Polygon sliver{a, a + along, a + 0.7 * along + across, a + 0.3 * along + across};
+        if (!(extent(sliver).area > 0)) continue;
+        const Affine depth{3, random.uniform(-1, 1), random.uniform(-1, 1)};
+        const auto [low, high] = range_of(sliver, depth);
+        const double mean = mean_transmission(sliver, depth);
+        REQUIRE(mean <= std::exp(-low));
+        REQUIRE(mean >= std::exp(-high));
+    }
+}
+
+TEST_CASE("light that runs along two faces of a coloured cube does not grow", "[views]") {
+    const Medium ruby = Medium::uniaxial(1.768, 1.76, {0, 0, 1});
+    const double strengths[] = {0.1, 0.2};
+    const Absorption colour = absorption_of(ruby, strengths);
+    Random random(1);
+    for (int i = 0; i < 200; ++i) {
+        ViewOptions options;
+        options.bound = {};
+        options.error = 2e-3;
+        options.sample_effort = 4;
+        options.seed = static_cast<std::uint64_t>(i);
+        // Nothing may make it last.
+        int looks = 0;
+        options.go_on = [&] { return ++looks < 1000; };
+        // But for rounding, across one axis.
+        const double lean = random.uniform(0.1, 1.4);
+        const Vec3 direction{1e-17 * random.uniform(-9, 9), std::sin(lean), -std::cos(lean)};
+        const Exits e =
+            trace_view(cube_stone(), ruby, {direction, random.direction()}, options, {&colour, 1});
+        double sum = e.absorbed + e.residue;
+        for (std::size_t k = 0; k < e.size(); ++k) {
+            const double light = e.weight[k].s0 * e.area[k];
+            REQUIRE(light <= e.area_total);
+            sum += light * static_cast<double>(e.images.size());
+        }
+        CAPTURE(i);
+        CHECK(std::abs(sum / e.area_total - 1) < 1e-3);
+    }
+}
+
 TEST_CASE("strips of a wedge follow the exponential and share its mean", "[views]") {
     const Polygon wedge{{0, 0}, {2, 0.3}, {1.7, 1.2}, {0.1, 0.8}};
     for (const Affine& depth :
