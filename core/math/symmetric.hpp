@@ -83,6 +83,12 @@ SymmetricTensor<T> dyad(const Vector3<T>& v) {
     return {v.x * v.x, v.y * v.y, v.z * v.z, v.y * v.z, v.x * v.z, v.x * v.y};
 }
 
+/// The sum over all elements of their products.
+template <class T>
+T product(const SymmetricTensor<T>& a, const SymmetricTensor<T>& b) {
+    return a.xx * b.xx + a.yy * b.yy + a.zz * b.zz + 2 * (a.yz * b.yz + a.xz * b.xz + a.xy * b.xy);
+}
+
 /// Rising eigenvalues with a right-handed orthonormal set of eigenvectors.
 struct PrincipalAxes {
     std::array<double, 3> values;

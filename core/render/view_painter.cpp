@@ -126,15 +126,15 @@ RealTensor ViewPainter::change(const Crystal& crystal, double u0, double u1) con
 std::vector<ViewPainter::Hue> ViewPainter::hues_of(const Crystal& crystal, int i, int parts) const {
     constexpr int wavelengths = 64;
     const int count = parts > 1 ? std::max(1, wavelengths / parts) : 1;
-    const auto trace = [](const RealTensor& t) { return t.xx + t.yy + t.zz; };
     const double share = 1.0 / parts, step = share / count, first = i * share;
-    const double whole = trace(change(crystal, first, first + share));
+    const RealTensor whole = change(crystal, first, first + share);
+    const double size2 = product(whole, whole);
     std::vector<Hue> out;
     for (int h = 0; h < count; ++h) {
         const double from = first + h * step, middle = from + 0.5 * step;
-        const double part = trace(change(crystal, first + 0.5 * share, middle));
+        const double part = product(change(crystal, first + 0.5 * share, middle), whole);
         const StoneOptics optics(crystal, wavelengths_.draw(middle).wavelength_nm);
-        out.push_back({whole == 0 ? 0 : part / whole, optics.absorption(),
+        out.push_back({size2 > 0 ? part / size2 : 0, optics.absorption(),
                        parts == 1
                            ? palette_
                            : between(palette_, from, from + step, wavelengths_, film_.bands())});

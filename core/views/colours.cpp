@@ -65,10 +65,6 @@ std::array<RealTensor, 3> axes_of(const Medium& medium) {
     return {RealTensor::diagonal(1, 1, 1) + -1.0 * along, along, {}};
 }
 
-double product(const RealTensor& a, const RealTensor& b) {
-    return a.xx * b.xx + a.yy * b.yy + a.zz * b.zz + 2 * (a.yz * b.yz + a.xz * b.xz + a.xy * b.xy);
-}
-
 }  // namespace
 
 Colours::Colours(const Medium& medium, std::span<const Absorption> colours) {
