@@ -181,6 +181,7 @@ struct AveragedResponse {
         [[nodiscard]] Pair times(const Complex& s, const Complex& p) const {
             return {0.5 * (std::norm(s) + std::norm(p)) * whole};
         }
+        void scale(double power_factor) { whole *= power_factor; }
     };
 };
 

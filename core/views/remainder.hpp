@@ -68,14 +68,15 @@ public:
     }
 
     /// Calls advance(beams, children) for one generation of a group after the other, until next to
-    /// nothing is left or it returns false. Returns the weight that is left.
+    /// nothing is left or it returns false, or what is caught for so many. Returns the weight that
+    /// is left.
     template <class Advance>
     double follow(int group, Advance&& advance) {
         constexpr double all = std::numeric_limits<double>::infinity();
         BeamList<Beam>& beams = starts_[static_cast<std::size_t>(group)];
         BeamList<Beam> children;
         bool more = true;
-        while (more && total(beams, all) > least_) {
+        for (int i = 0; i < generations && more && total(beams, all) > least_; ++i) {
             children.clear();
             more = advance(beams, children);
             beams.clear();
@@ -89,6 +90,7 @@ public:
     }
 
 private:
+    static constexpr int generations = 5000;
     static constexpr int fewest = 4;     ///< survivors of a group
     static constexpr double end = 1e-5;  ///< of what it was at first
 

@@ -135,6 +135,10 @@ private:
                     children_ = &children;
                     beams.each([&](const Beam& b, PolygonView polygon) {
                         beam_ = b;
+                        // Light that is caught for long fades as its gain grows: neither may
+                        // leave the range of numbers.
+                        beam_.response.scale(beam_.gain);
+                        beam_.gain = 1;
                         polygon_.assign(polygon.begin(), polygon.end());
                         advance();
                     });

@@ -67,6 +67,24 @@ TEST_CASE("light that runs along two faces of a coloured cube does not grow", "[
     }
 }
 
+TEST_CASE("light that a crystal cube keeps for thousands of faces stays as much as it is",
+          "[views]") {
+    ViewOptions options;
+    options.bound = {};
+    options.error = 1e-4;
+    options.max_beams = 50'000;
+    int looks = 0;
+    options.go_on = [&] { return ++looks < 2000; };
+    const Exits e = trace_view(cube_stone(), Medium::uniaxial(1.925, 1.984, {1, 0, 0}),
+                               {{-0.65382861, -0.12961363, 0.78397547}, {0.3, 0.2, 0.9}}, options);
+    double sum = e.residue;
+    for (std::size_t i = 0; i < e.size(); ++i) {
+        sum += e.weight[i].s0 * e.area[i] * static_cast<double>(e.images.size());
+    }
+    CHECK(std::abs(sum / e.area_total - 1) < 1e-6);
+    CHECK(e.residue < 1e-4 * e.area_total);
+}
+
 TEST_CASE("strips of a wedge follow the exponential and share its mean", "[views]") {
     const Polygon wedge{{0, 0}, {2, 0.3}, {1.7, 1.2}, {0.1, 0.8}};
     for (const Affine& depth :
