@@ -4,6 +4,7 @@
 #include <functional>
 #include <numbers>
 #include <optional>
+#include <sstream>
 
 #include "designs/solved.hpp"
 #include "math/error.hpp"
@@ -64,10 +65,11 @@ Tier stretched(const Tier& tier, const Stretch& side) {
 
 Design retargeted(const Design& design, const Retarget& to) {
     for (const double index : {to.from, to.to}) {
-        if (!(index > 1 && index < 10))
-            throw Error(
-                "a design is retargeted from and to indices of stones: give some between 1 "
-                "and 10");
+        if (index > 1 && index < 10) continue;
+        std::ostringstream number;
+        number << index;
+        throw Error("a refractive index of " + number.str() +
+                    " is not one of a stone: give one between 1 and 10");
     }
     const SolvedDesign solved(design);
     Stretch crown{HUGE_VAL, 1}, pavilion{-HUGE_VAL, 1};
