@@ -34,7 +34,8 @@ class Ours:
         curve = Curve(name, f"icespar, {engine}")
         spp, seconds = FIRST[engine], 0.0
         longest = 2 * self.longest if name == "dispersive" else self.longest
-        while seconds < longest / 2:
+        # A stone that keeps little light has no more beams to follow at last.
+        while seconds < longest / 2 and spp <= 1 << 14:
             picture, seconds, _ = rendered(self.scenes[name], self.size, spp, spp, engine=engine)
             curve.rows.append((spp, seconds, error_of(picture, *self.reference(name))))
             spp *= 2
