@@ -27,7 +27,8 @@ SPLIT = """
 ## What birefringence costs
 
 The brilliant above, of one wavelength, by beams: as a crystal with its axis along the table's normal, and as a stone of one index, the mean.
-Where every face sends on two waves there are more beams to follow, and each weighs less.
+Where every face sends on two waves there are more beams to follow, and each weighs less. These are fractions of a second: on a shared
+machine a ratio differs by up to a third from run to run.
 
 """
 
