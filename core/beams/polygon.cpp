@@ -34,18 +34,19 @@ Extent extent(PolygonView p) {
     return {0.5 * sum, origin + (1 / (3 * sum)) * moment};
 }
 
-Moments moments(PolygonView p, double area) {
+Moments moments(PolygonView p, const Extent& e) {
     Moments sum;
     if (p.empty()) return sum;
-    Point2 a = p.back();
-    for (const Point2& b : p) {
+    Point2 a = p.back() - e.centroid;
+    for (const Point2& corner : p) {
+        const Point2 b = corner - e.centroid;
         const double w = twice_area(a, b);
         sum.xx += w * (a.x * a.x + a.x * b.x + b.x * b.x);
         sum.yy += w * (a.y * a.y + a.y * b.y + b.y * b.y);
         sum.xy += w * (2 * a.x * a.y + a.x * b.y + b.x * a.y + 2 * b.x * b.y);
         a = b;
     }
-    return {sum.xx / (12 * area), sum.xy / (24 * area), sum.yy / (12 * area)};
+    return {sum.xx / (12 * e.area), sum.xy / (24 * e.area), sum.yy / (12 * e.area)};
 }
 
 void clip(PolygonView p, const Affine& f, Polygon& out) {

@@ -43,8 +43,8 @@ struct Moments {
     }
 };
 
-/// About the origin, which is the centroid.
-[[nodiscard]] Moments moments(PolygonView polygon, double area);
+/// About the centroid.
+[[nodiscard]] Moments moments(PolygonView polygon, const Extent& extent);
 
 /// Sets `out` to the part of the polygon where f >= 0, empty when there is none. Two functions of
 /// opposite sign cut along the same points, so that the parts sum to the whole. `out` must be

@@ -185,7 +185,7 @@ void SkySpectrum::add_lamp(std::size_t number, const Expansion& k, const Vec3& f
     }
     // The part beyond a straight edge that moves over a polygon rises from 0 to 1: a ramp of the
     // same mean and variance.
-    const Moments m = moments(polygon, area);
+    const Moments m = moments(polygon, {area, {}});
     const double kx = dot(k.dx, disc.direction), ky = dot(k.dy, disc.direction),
                  kc = dot(fan, disc.direction);
     const double steepness = 1 / std::sqrt(12 * m.variance(kx, ky) + 1e-24);

@@ -12,50 +12,15 @@
 namespace icespar {
 namespace {
 
-/// Central ones of a convex polygon, over its area.
-class PolygonMoments {
-public:
-    Point2 centre;
-    double xx = 0, xy = 0, yy = 0;
-    double reach2 = 0;  ///< squared distance of the farthest corner
-
-    explicit PolygonMoments(PolygonView polygon) {
-        double area = 0, x = 0, y = 0;
-        for (std::size_t i = 2; i < polygon.size(); ++i) {
-            const Point2 a = polygon[i - 1] - polygon[0], b = polygon[i] - polygon[0];
-            const double part = a.x * b.y - a.y * b.x;
-            area += part;
-            x += part * (a.x + b.x);
-            y += part * (a.y + b.y);
-            xx += part * (a.x * a.x + a.x * b.x + b.x * b.x);
-            xy += part * (a.x * a.y + 0.5 * (a.x * b.y + a.y * b.x) + b.x * b.y);
-            yy += part * (a.y * a.y + a.y * b.y + b.y * b.y);
-        }
-        reach_from(polygon[0], polygon);
-        // Of a sliver rounding knows no more than a corner.
-        constexpr double thin = 1e-9;
-        if (!(area > thin * reach2)) {
-            xx = xy = yy = 0;
-            return;
-        }
-        x /= 3 * area;
-        y /= 3 * area;
-        xx = xx / (6 * area) - x * x;
-        xy = xy / (6 * area) - x * y;
-        yy = yy / (6 * area) - y * y;
-        reach_from({polygon[0].x + x, polygon[0].y + y}, polygon);
+/// Squared distance of the farthest corner.
+double reach2(PolygonView polygon, const Point2& from) {
+    double farthest = 0;
+    for (const Point2& p : polygon) {
+        const Point2 d = p - from;
+        farthest = std::max(farthest, d.x * d.x + d.y * d.y);
     }
-
-private:
-    void reach_from(const Point2& point, PolygonView polygon) {
-        centre = point;
-        reach2 = 0;
-        for (const Point2& p : polygon) {
-            const Point2 d = p - centre;
-            reach2 = std::max(reach2, d.x * d.x + d.y * d.y);
-        }
-    }
-};
+    return farthest;
+}
 
 std::array<RealTensor, 3> axes_of(const Medium& medium) {
     if (medium.symmetry == Symmetry::biaxial) {
@@ -99,14 +64,19 @@ double Colours::growth(std::size_t i, const Vec3& E, const Vec3& k, const Vec3& 
 
 double Colours::transmit(PolygonView polygon, std::span<const Affine> lengths) {
     constexpr double small2 = 1e-5;  // squared, of the depth's variation
-    const PolygonMoments m(polygon);
+    constexpr double thin = 1e-9;
+    // Of a sliver rounding knows no more than a corner.
+    Extent e = extent(polygon);
+    const bool sliver = !(e.area > thin * reach2(polygon, polygon[0]));
+    if (sliver) e.centroid = polygon[0];
+    const Moments m = sliver ? Moments{} : moments(polygon, e);
+    const double reach = reach2(polygon, e.centroid);
     double sum = 0;
     for (std::size_t c = 0; c < count(); ++c) {
         const Affine depth = depth_of(rates_[c], lengths);
         const double dx = depth.dx, dy = depth.dy;
-        const double variance = dx * dx * m.xx + 2 * dx * dy * m.xy + dy * dy * m.yy;
-        tint_[c] = (dx * dx + dy * dy) * m.reach2 < small2
-                       ? decay(depth(m.centre)) * (1 + 0.5 * variance)
+        tint_[c] = (dx * dx + dy * dy) * reach < small2
+                       ? decay(depth(e.centroid)) * (1 + 0.5 * m.variance(dx, dy))
                        : mean_transmission(polygon, depth);
         sum += tint_[c];
     }
