@@ -54,8 +54,8 @@ class Ours:
     def needs(self, runs):
         """(scene, part, engine, seconds without, with, error without, with): medians of pairs in turn."""
         cases = [
-            ("isotropic", "beams", 32, ["stokes", "wavelengths", "surroundings", "tree"]),
-            ("uniaxial", "beams", 16, ["stokes", "wavelengths", "surroundings"]),
+            ("isotropic", "beams", 32, ["stokes", "wavelengths", "surroundings", "tree", "pixels"]),
+            ("uniaxial", "beams", 16, ["stokes", "wavelengths", "surroundings", "pixels"]),
             ("isotropic", "rays", 16, ["wavelengths", "absorption", "tree"]),
             ("uniaxial", "rays", 4, ["general"]),
         ]

@@ -15,9 +15,9 @@ Point2 pixel_middle(int width, int height, double x, double y) {
 
 enum class Side { within, beyond, both };
 
-/// Where a pixel about the origin lies.
-Side side(const Affine& f) {
-    const double reach = 0.5 * (std::abs(f.dx) + std::abs(f.dy));
+/// Where a rectangle about the origin lies, of which this is a corner.
+Side side(const Affine& f, const Point2& corner) {
+    const double reach = corner.x * std::abs(f.dx) + corner.y * std::abs(f.dy);
     return f.value >= reach ? Side::within : f.value < -reach ? Side::beyond : Side::both;
 }
 
@@ -116,19 +116,22 @@ Footprint::Footprint(const Stone& stone, const Camera& camera, int width, int he
     }
 }
 
-void Footprint::divide(int x, int y, std::vector<Part>& parts, std::size_t& count) const {
+void Footprint::divide(const Frame& pixels, std::vector<Part>& parts, std::size_t& count) const {
     count = 0;
-    const Point2 middle = pixel_middle(width_, height_, x, y);
+    const Point2 centre = pixels.centre();
+    const Point2 middle = pixel_middle(width_, height_, centre.x, centre.y);
+    const std::array<Point2, 4> corners = pixels.corners();
+    const Point2& corner = corners[2];
     const auto here = [&](const Affine& f) { return Affine{f(middle), f.dx, f.dy}; };
     const auto next = [&](int facet) -> Polygon& {
         if (count == parts.size()) parts.emplace_back();
         parts[count].facet = facet;
         return parts[count].polygon;
     };
-    Polygon rest(pixel_square.begin(), pixel_square.end()), swap;
+    Polygon rest(corners.begin(), corners.end()), swap;
     for (const Affine& border : outline_) {
         const Affine f = here(border);
-        if (side(f) == Side::within) continue;
+        if (side(f, corner) == Side::within) continue;
         split(rest, f, swap, next(-1));
         if (!(extent(parts[count].polygon).area > 0)) continue;
         ++count;
@@ -136,12 +139,12 @@ void Footprint::divide(int x, int y, std::vector<Part>& parts, std::size_t& coun
         if (rest.empty()) return;
     }
     for (const Seen& s : seen_) {
-        if (!s.frame.holds(x, y)) continue;
+        if (!s.frame.meets(pixels)) continue;
         Polygon& part = next(s.facet);
         part = rest;
         for (const Affine& neighbour : s.within) {
             const Affine f = here(neighbour);
-            const Side where = side(f);
+            const Side where = side(f, corner);
             if (where == Side::within) continue;
             if (where == Side::beyond) {
                 part.clear();

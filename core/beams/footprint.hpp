@@ -1,4 +1,5 @@
-// Which part of a pixel shows which facet of a stone, and which the background: exactly.
+// Which part of a pixel, or of a few together, shows which facet of a stone, and which the
+// background: exactly.
 #pragma once
 
 #include <array>
@@ -11,10 +12,6 @@
 
 namespace icespar {
 
-/// A pixel's corners about its centre.
-inline constexpr std::array<Point2, 4> pixel_square{
-    {{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}}};
-
 /// The lines of pixel (x, y), counted from the top left, about its centre: picture x to the right
 /// and y up, in pixels. Origins are relative to `centre`.
 [[nodiscard]] RayField pixel_field(const Camera& camera, int width, int height, double x, double y,
@@ -24,6 +21,19 @@ inline constexpr std::array<Point2, 4> pixel_square{
 struct Frame {
     int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
     [[nodiscard]] bool holds(int x, int y) const { return x >= x0 && x < x1 && y >= y0 && y < y1; }
+    [[nodiscard]] bool meets(const Frame& f) const {
+        return f.x0 < x1 && x0 < f.x1 && f.y0 < y1 && y0 < f.y1;
+    }
+    [[nodiscard]] int across() const { return x1 - x0; }
+    [[nodiscard]] int down() const { return y1 - y0; }
+    [[nodiscard]] int count() const { return across() * down(); }
+    /// In pixel units, as `pixel_field` counts them.
+    [[nodiscard]] Point2 centre() const { return {0.5 * (x0 + x1 - 1), 0.5 * (y0 + y1 - 1)}; }
+    /// The corners about the centre.
+    [[nodiscard]] std::array<Point2, 4> corners() const {
+        const double x = 0.5 * across(), y = 0.5 * down();
+        return {{{-x, -y}, {x, -y}, {x, y}, {-x, y}}};
+    }
 };
 
 /// Where points are seen.
@@ -52,8 +62,8 @@ public:
         int facet = -1;  ///< -1: background
         Polygon polygon;
     };
-    /// The parts of a pixel within the frame; `parts` is reused.
-    void divide(int x, int y, std::vector<Part>& parts, std::size_t& count) const;
+    /// The parts of these pixels, about their centre; `parts` is reused.
+    void divide(const Frame& pixels, std::vector<Part>& parts, std::size_t& count) const;
 
 private:
     struct Seen {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <span>
 
 #include "math/random.hpp"
 
@@ -17,6 +18,8 @@ namespace icespar {
 /// all dropped.
 class Roulette {
 public:
+    static constexpr std::size_t most_pixels = 16;
+
     void begin(std::uint64_t seed, double threshold) {
         threshold_ = threshold;
         random_ = Random(seed);
@@ -54,26 +57,31 @@ public:
         return 1;
     }
 
-    /// What came of a survivor among beams that owe nothing to earlier chance.
-    void saw(int hits, double light) {
+    /// What came of a survivor among beams that owe nothing to earlier chance, in each pixel.
+    void saw(int hits, std::span<const double> light) {
         if (hits >= patient) return;
         Depth& d = depth(hits);
-        if (d.survivors > 0) d.differences += (light - d.last) * (light - d.last);
-        d.last = light;
-        d.sum += light;
+        for (std::size_t i = 0; i < light.size(); ++i) {
+            Seen& s = d.seen[i];
+            const double change = light[i] - s.last;
+            if (d.survivors > 0) s.differences += change * change;
+            s.last = light[i];
+            s.sum += light[i];
+        }
         ++d.survivors;
     }
 
-    /// Estimated variance of the sum over all survivors: in each depth by successive differences,
-    /// as for any systematic sample (Cochran 1977, 8.11), and by how much the number of survivors
-    /// varies.
-    [[nodiscard]] double variance() const {
+    /// Estimated variance of a pixel's sum over all survivors: in each depth by successive
+    /// differences, as for any systematic sample (Cochran 1977, 8.11), and by how much the number
+    /// of survivors varies.
+    [[nodiscard]] double variance(std::size_t pixel) const {
         double sum = 0;
         for (int hits = 0; hits < reached_; ++hits) {
             const Depth& d = depths_[static_cast<std::size_t>(hits)];
             if (d.survivors == 0) continue;
-            const double m = d.survivors, mean = d.sum / m;
-            if (d.survivors > 1) sum += 0.5 * d.differences * m / (m - 1);
+            const Seen& s = d.seen[pixel];
+            const double m = d.survivors, mean = s.sum / m;
+            if (d.survivors > 1) sum += 0.5 * s.differences * m / (m - 1);
             const double rest = d.expected - std::floor(d.expected);
             sum += mean * mean * rest * (1 - rest) / std::min(1.0, d.expected);
         }
@@ -83,17 +91,24 @@ public:
 private:
     static constexpr int patient = 1024;
     static constexpr double patience = 0.9;
+    struct Seen {
+        double last = 0, sum = 0, differences = 0;
+    };
     struct Depth {
         double chance = 0;  ///< the sum, from its random start
         double second = 0;  ///< the same of beams that stand in for pairs
-        double expected = 0, last = 0, sum = 0, differences = 0;
+        double expected = 0;
         int survivors = 0;
+        std::array<Seen, most_pixels> seen{};
     };
 
     /// Most pixels reach few depths: they are begun when they are reached.
     [[nodiscard]] Depth& depth(int hits) {
         for (; reached_ <= hits; ++reached_) {
-            depths_[static_cast<std::size_t>(reached_)] = {random_.uniform(), random_.uniform()};
+            Depth& d = depths_[static_cast<std::size_t>(reached_)];
+            d = {};
+            d.chance = random_.uniform();
+            d.second = random_.uniform();
         }
         return depths_[static_cast<std::size_t>(hits)];
     }

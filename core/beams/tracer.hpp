@@ -6,6 +6,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "beams/block.hpp"
 #include "beams/carry.hpp"
 #include "beams/facet_search.hpp"
 #include "beams/fresnel.hpp"
@@ -67,6 +68,13 @@ public:
         }
     }
 
+    /// The pixels that the footprint covers, and by how much of a pixel's light its beams' power
+    /// may change where they lie in several.
+    void set_block(const Block& block, double tolerance) {
+        block_ = block;
+        tolerance_ = tolerance;
+    }
+
     [[nodiscard]] std::uint64_t events() const { return events_; }
 
     /// `field` is relative to the facets' centre and the pixel's; `right` is picture-right.
@@ -101,8 +109,10 @@ private:
 
     struct Nothing {};
     using Fan = std::conditional_t<spectral, Vec3, Nothing>;
+    using Lengths =
+        std::conditional_t<absorbing, std::array<Affine, birefringent ? 3 : 1>, Nothing>;
     struct Absorbed {
-        std::array<Affine, birefringent ? 3 : 1> lengths{};
+        Lengths lengths{};
         double left = 1;
     };
     struct Clear {};
@@ -241,7 +251,9 @@ private:
                 dot(normal, flow.value);
             there = arrival(beam_.position, flow, normal, t);
         }
-        if constexpr (absorbing) absorb(flow, normal, t, sink);
+        const Lengths lengths = lengths_to(flow, normal, t);
+        if (uneven(normal, lengths, sink)) return part_by_pixel();
+        if constexpr (absorbing) absorb(lengths, sink);
         beam_.position = there;
         ++beam_.hits;
         beam_.left = facet;
@@ -250,27 +262,90 @@ private:
         meet(normal, sink);
     }
 
-    /// On the way along `flow` to a plane that is `t` away. What grazes a facet may be expanded to
-    /// lengths below 0, along which light would grow.
+    /// Whether power changes so much over a beam in several pixels that each needs its own: by the
+    /// face ahead or, in a stone of a colour, on the way there.
     template <class Sink>
-    void absorb(const Expansion& flow, const Vec3& normal, double t, Sink& sink) {
-        const double speed = -1 / dot(normal, flow.value);
-        const Expansion& from = beam_.position;
-        const double dx = speed * dot(normal, from.dx + t * flow.dx),
-                     dy = speed * dot(normal, from.dy + t * flow.dy);
-        const auto add = [&](std::size_t i, double rate) {
-            Affine& length = beam_.absorbed.lengths[i];
-            length = {length.value + rate * std::max(0.0, t), length.dx + rate * dx,
-                      length.dy + rate * dy};
-        };
-        if constexpr (birefringent) {
-            add(0, loss_along(across_, beam_.s, beam_.k.value, flow.value));
-            add(1, loss_along(along_, beam_.s, beam_.k.value, flow.value));
-            add(2, length(flow.value));
+    [[nodiscard]] bool uneven(const Vec3& normal, const Lengths& lengths, Sink& sink) const {
+        if (block_.count() == 1) return false;
+        const double most = tolerance_ / beam_.response.power();
+        if (!near_critical(normal, most) && !fades_unevenly(lengths, most, sink)) return false;
+        return !block_.span(polygon_, beam_.centre).one();
+    }
+
+    /// What passes goes with the part of the outer k along the normal, whose square is 0 at the
+    /// critical angle: whether that changes over the beam by more than so much of its value.
+    [[nodiscard]] bool near_critical(const Vec3& normal, double most) const {
+        const Expansion& k = beam_.k;
+        const Vec3 along = k.value - dot(normal, k.value) * normal;
+        const double square = air_.n_o * air_.n_o - dot(along, along);
+        const double dx = 2 * dot(along, k.dx), dy = 2 * dot(along, k.dy);
+        const double least = most * std::abs(square);
+        return std::any_of(polygon_.begin(), polygon_.end(),
+                           [&](const Point2& p) { return std::abs(dx * p.x + dy * p.y) > least; });
+    }
+
+    template <class Sink>
+    [[nodiscard]] bool fades_unevenly(const Lengths& lengths, double most, Sink& sink) const {
+        if constexpr (absorbing) {
+            const Affine& length = lengths.back();
+            const auto longer = [&](const Point2& p) { return length(p) - length.value; };
+            const Point2 far = *std::max_element(
+                polygon_.begin(), polygon_.end(),
+                [&](const Point2& a, const Point2& b) { return longer(a) < longer(b); });
+            Lengths there = lengths;
+            for (Affine& l : there) l.value = std::max(0.0, l(far));
+            const double left = sink.transmit(there);
+            return sink.transmit(lengths) - left > most * left;
         } else {
-            add(0, medium_.n_o);
+            return false;
         }
-        const double left = sink.transmit(beam_.absorbed.lengths);
+    }
+
+    /// Starts again with what is on either side of a line between pixels.
+    void part_by_pixel() {
+        const Block::Span over = block_.span(polygon_, beam_.centre);
+        const bool wide = over.x1 - over.x0 >= over.y1 - over.y0;
+        split(polygon_,
+              wide ? block_.right_of((over.x0 + over.x1) / 2, beam_.centre)
+                   : block_.below((over.y0 + over.y1) / 2, beam_.centre),
+              rest_, piece_);
+        for (Polygon* part : {&rest_, &piece_}) {
+            Beam side = beam_;
+            if (recentre(side, *part)) push(side, *part);
+        }
+    }
+
+    /// Of the beam, on the way along `flow` to a plane that is `t` away. What grazes a facet may be
+    /// expanded to lengths below 0, along which light would grow.
+    [[nodiscard]] Lengths lengths_to(const Expansion& flow, const Vec3& normal, double t) const {
+        if constexpr (absorbing) {
+            const double speed = -1 / dot(normal, flow.value);
+            const Expansion& from = beam_.position;
+            const double dx = speed * dot(normal, from.dx + t * flow.dx),
+                         dy = speed * dot(normal, from.dy + t * flow.dy);
+            Lengths lengths = beam_.absorbed.lengths;
+            const auto add = [&](std::size_t i, double rate) {
+                Affine& length = lengths[i];
+                length = {length.value + rate * std::max(0.0, t), length.dx + rate * dx,
+                          length.dy + rate * dy};
+            };
+            if constexpr (birefringent) {
+                add(0, loss_along(across_, beam_.s, beam_.k.value, flow.value));
+                add(1, loss_along(along_, beam_.s, beam_.k.value, flow.value));
+                add(2, length(flow.value));
+            } else {
+                add(0, medium_.n_o);
+            }
+            return lengths;
+        } else {
+            return {};
+        }
+    }
+
+    template <class Sink>
+    void absorb(const Lengths& lengths, Sink& sink) {
+        beam_.absorbed.lengths = lengths;
+        const double left = sink.transmit(lengths);
         const double part = left / beam_.absorbed.left;
         beam_.absorbed.left = left;
         sink.absorb((1 - part) * beam_.area * beam_.response.power());
@@ -448,6 +523,8 @@ private:
     bool alive_ = false;  ///< it goes on
     Polygon polygon_, piece_, rest_;
     std::vector<FacetSearch::Edge> edges_;
+    Block block_;
+    double tolerance_ = 0;
     std::uint64_t events_ = 0;
 };
 

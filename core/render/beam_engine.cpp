@@ -41,6 +41,21 @@ BeamScene::BeamScene(const World& world, const Needs& needs, int width, int heig
 
 BeamScene::~BeamScene() = default;
 
+int BeamScene::block_side(int samples) const {
+    if (!needs_.blocks) return 1;
+    const Camera& camera = world_.scene().camera;
+    if (camera.kind == Camera::Kind::orthographic) return BeamEngine::most_across;
+    // Directions are expanded to first order, so that what falls into a wrong pixel grows with a
+    // pixel's angle and the square of the side. It stays well below the noise (docs/method.md).
+    constexpr double noise = 3.2, slope = 0.8;
+    const double angle = std::max(length(camera.right) / width_, length(camera.up) / height_) /
+                         length(camera.direction);
+    const double most = noise * std::pow(samples, -slope) / angle;
+    int side = BeamEngine::most_across;
+    while (side > 1 && side * side > most) side /= 2;
+    return side;
+}
+
 bool BeamScene::tells_error() const { return !needs_.surroundings; }
 
 int BeamScene::stone_at(int x, int y) const {
@@ -57,8 +72,8 @@ int BeamScene::stone_at(int x, int y) const {
 
 struct BeamEngine::Kernels {
     virtual ~Kernels() = default;
-    virtual double pixel(int x, int y, int stone, int samples, std::uint64_t seed,
-                         Sampler& sampler) = 0;
+    virtual void block(const Frame& pixels, int stone, int samples, std::uint64_t seed,
+                       Sampler& sampler, const BeamEngine::Seen& seen) = 0;
     [[nodiscard]] virtual std::uint64_t events() const = 0;
 };
 
@@ -113,18 +128,14 @@ public:
           width_(width),
           height_(height),
           walker_(world, palette, needs, false),
-          sky_(world.scene().environment) {
+          sky_(world.scene().environment, palette, most_pixels) {
         if (needs.wavelengths && !needs.surroundings) {
             // Absorption may change much within a cell.
             const bool coloured = std::any_of(world.scene().gems.begin(), world.scene().gems.end(),
                                               [](const Gem& g) { return g.crystal.absorbs(); });
             spectrum_.emplace(world.scene().environment, palette, wavelengths, bands,
-                              Response::stokes ? 4 : 1, coloured ? 128 : 64);
+                              Response::stokes ? 4 : 1, coloured ? 128 : 64, most_pixels);
         }
-        const auto add = [&](const Emitter& e) { lights_.push_back(xyz_from_rgb(e.rgb)[1]); };
-        add(palette.below);
-        add(palette.above);
-        for (const Emitter& e : palette.discs) add(e);
         const std::size_t cells = spectrum_ ? static_cast<std::size_t>(spectrum_->cells()) : 64;
         std::vector<double> nm;
         for (std::size_t i = 0; i < cells * points_a_cell; ++i) {
@@ -150,8 +161,10 @@ public:
         }
     }
 
-    double pixel(int x, int y, int stone, int samples, std::uint64_t seed,
-                 Sampler& sampler) override {
+    void block(const Frame& pixels, int stone, int samples, std::uint64_t seed, Sampler& sampler,
+               const BeamEngine::Seen& seen) override {
+        pixels_ = pixels;
+        block_ = {pixels.across(), pixels.down()};
         sampler_ = &sampler;
         samples_ = samples;
         threshold_ = 1.0 / samples;
@@ -162,28 +175,30 @@ public:
         sampler.inside_threshold = sampler.outside_threshold = 0.1 * threshold_;
         const Scene& scene = world_.scene();
         if (stone == BeamScene::sky) {
-            field_ = pixel_field(scene.camera, width_, height_, x, y, {});
-            background(pixel_square);
-            flush();
-            return 0;
+            const Point2 middle = pixels.centre();
+            field_ = pixel_field(scene.camera, width_, height_, middle.x, middle.y, {});
+            background(pixels.corners());
+            return finish(seen);
         }
         gem_ = stone;
         const auto g = static_cast<std::size_t>(stone);
         colour_ = &colours_[g];
         const Crystal& crystal = scene.gems[g].crystal;
-        field_ = pixel_field(scene.camera, width_, height_, x, y, stones_.facets[g].centre());
-        stones_.footprints[g].divide(x, y, parts_, count_);
+        const Point2 middle = pixels.centre();
+        field_ = pixel_field(scene.camera, width_, height_, middle.x, middle.y,
+                             stones_.facets[g].centre());
+        stones_.footprints[g].divide(pixels, parts_, count_);
         for (std::size_t i = 0; i < count_; ++i) {
             if (parts_[i].facet < 0) background(parts_[i].polygon);
         }
         if (!needs_.stones[g].wavelengths) {
             roulette_.begin(seed, threshold_);
             trace_stone(crystal, longest_nm);
-            flush();
-            return needs_.surroundings ? -1 : roulette_.variance();
+            add_variances();
+        } else {
+            follow_spectrum(crystal, seed);
         }
-        flush();
-        return follow_spectrum(crystal, seed);
+        finish(seen);
     }
 
     [[nodiscard]] std::uint64_t events() const override {
@@ -206,17 +221,25 @@ public:
         return colour_->transmit(lengths);
     }
     void absorb(double weight) { sampler_->absorbed += share_ * weight; }
-    void open() { opened_ = luminance(); }
-    void close(int hits) { roulette_.saw(hits, luminance() - opened_); }
+    void open() { std::fill_n(seen_.begin(), count(), 0.0); }
+    void close(int hits) { roulette_.saw(hits, {seen_.data(), count()}); }
     void see(const Leaf<Response>& leaf) {
-        if (spectral_ && spectrum_) {
-            const bool tinted = needs_.stones[static_cast<std::size_t>(gem_)].absorption;
-            spectrum_->add(leaf.k, leaf.fan, leaf.polygon, leaf.area, leaf.response.unpolarised(),
-                           tinted ? colour_->tint() : std::span<const double>{});
-            return;
-        }
         if (!needs_.surroundings) {
-            sky_.add(leaf.k, leaf.polygon, leaf.area, leaf.response.unpolarised());
+            const Stokes response = leaf.response.unpolarised();
+            cutter_.cut(block_, leaf.polygon, leaf.centre, leaf.area,
+                        [&](std::size_t pixel, PolygonView polygon, double area, const Point2& at) {
+                            Expansion k = leaf.k;
+                            if (count() > 1) k = {normalised(k.at(at)), k.dx, k.dy};
+                            if (!spectral_) {
+                                seen_[pixel] += sky_.add(pixel, k, polygon, area, response);
+                                return;
+                            }
+                            const bool tinted =
+                                needs_.stones[static_cast<std::size_t>(gem_)].absorption;
+                            seen_[pixel] += spectrum_->add(
+                                pixel, k, leaf.fan, polygon, area, response,
+                                tinted ? colour_->tint() : std::span<const double>{});
+                        });
             return;
         }
         const double weight = leaf.area * leaf.response.power();
@@ -253,13 +276,12 @@ private:
     }
 
     /// Each path is that of a piece of the spectrum (bench/beams.cpp).
-    double follow_spectrum(const Crystal& crystal, std::uint64_t seed) {
-        double variance = 0;
+    void follow_spectrum(const Crystal& crystal, std::uint64_t seed) {
         spectral_ = true;
         const int cells = static_cast<int>(cell_colours_.size());
         // Colours that go the same way need one path. No piece is empty.
         const bool parts = needs_.stones[static_cast<std::size_t>(gem_)].parts_wavelengths;
-        const auto wanted = static_cast<int>(std::lround(0.25 * std::sqrt(samples_)));
+        const auto wanted = static_cast<int>(std::lround(0.6 * std::sqrt(samples_)));
         const int pieces = parts ? std::clamp(wanted, 1, cells / 2) : 1;
         const double shift = 0.5 * (sampler_->uniform() - 0.5);
         int first = 0;
@@ -272,12 +294,10 @@ private:
                             std::min(1.0, threshold_ / (pieces * share_)));
             colour_->narrow(static_cast<std::size_t>(first), static_cast<std::size_t>(last));
             trace_stone(crystal, begin_piece(first, last));
-            variance += roulette_.variance();
+            add_variances();
             first = last;
         }
-        if (spectrum_) spectrum_->flush(*sampler_);
         spectral_ = false;
-        return needs_.surroundings ? -1 : variance;
     }
 
     /// The wavelength of the paths for these cells.
@@ -293,8 +313,25 @@ private:
         walker_.walk(b, sampler_->wavelength_nm(), *sampler_);
     }
 
-    [[nodiscard]] double luminance() const {
-        return spectral_ && spectrum_ ? spectrum_->luminance() : sky_.luminance(lights_);
+    [[nodiscard]] std::size_t count() const { return static_cast<std::size_t>(pixels_.count()); }
+
+    void add_variances() {
+        for (std::size_t i = 0; i < count(); ++i) variances_[i] += roulette_.variance(i);
+    }
+
+    /// Hands out each pixel.
+    void finish(const BeamEngine::Seen& seen) {
+        for (std::size_t i = 0; i < count(); ++i) {
+            const int at = static_cast<int>(i);
+            if (!needs_.surroundings) {
+                std::fill(sampler_->sample.begin(), sampler_->sample.end(), 0.0);
+                sky_.flush(i, palette_, *sampler_);
+                if (spectrum_) spectrum_->flush(i, *sampler_);
+            }
+            seen(pixels_.x0 + at % pixels_.across(), pixels_.y0 + at / pixels_.across(),
+                 needs_.surroundings ? -1 : variances_[i]);
+            variances_[i] = 0;
+        }
     }
 
     void trace_stone(const Crystal& crystal, double nm) {
@@ -311,6 +348,7 @@ private:
         std::visit(
             [&](auto& tracer) {
                 tracer.set_medium(medium, change(o), change(e));
+                tracer.set_block(block_, unevenness * std::pow(threshold_, 0.75));
                 for (std::size_t i = 0; i < count_; ++i) {
                     if (parts_[i].facet < 0) continue;
                     tracer.trace(field_, world_.scene().camera.right, parts_[i].polygon,
@@ -323,13 +361,19 @@ private:
     void background(PolygonView polygon) {
         const Extent e = extent(polygon);
         if (!needs_.surroundings) {
-            const Vec3 unit = normalised(field_.direction.at(e.centroid));
-            const double size = length(field_.direction.at(e.centroid));
-            const auto turned = [&](const Vec3& d) { return (d - dot(unit, d) * unit) / size; };
             corners_.assign(polygon.begin(), polygon.end());
             for (Point2& p : corners_) p = p - e.centroid;
-            sky_.add({unit, turned(field_.direction.dx), turned(field_.direction.dy)}, corners_,
-                     e.area, {1, 0, 0, 0});
+            cutter_.cut(block_, corners_, e.centroid, e.area,
+                        [&](std::size_t pixel, PolygonView part, double area, const Point2& at) {
+                            const Expansion line = field_.direction.about(e.centroid);
+                            const double size = length(line.at(at));
+                            const Vec3 unit = line.at(at) / size;
+                            const auto turned = [&](const Vec3& d) {
+                                return (d - dot(unit, d) * unit) / size;
+                            };
+                            sky_.add(pixel, {unit, turned(line.dx), turned(line.dy)}, part, area,
+                                     {1, 0, 0, 0});
+                        });
             return;
         }
         const int rays = std::max(1, static_cast<int>(std::lround(e.area * samples_)));
@@ -345,10 +389,6 @@ private:
         }
     }
 
-    void flush() {
-        if (!needs_.surroundings) sky_.flush(palette_, *sampler_);
-    }
-
     const World& world_;
     const Needs& needs_;
     const BeamScene::Stones& stones_;
@@ -357,18 +397,22 @@ private:
     Walker<Sampler> walker_;
     SkySum sky_;
     std::optional<SkySpectrum> spectrum_;  ///< below a sky, where stones disperse
-    std::vector<double> lights_;           ///< luminances
-    double opened_ = 0;
-    std::vector<Tracer> tracers_;      ///< of each stone
-    std::vector<PathColour> colours_;  ///< of each stone
-    PathColour* colour_ = nullptr;     ///< of the stone that is followed
+    static constexpr std::size_t most_pixels = Roulette::most_pixels;
+    std::array<double, most_pixels> seen_{}, variances_{};  ///< luminance since a beam was opened
+    std::vector<Tracer> tracers_;                           ///< of each stone
+    std::vector<PathColour> colours_;                       ///< of each stone
+    PathColour* colour_ = nullptr;                          ///< of the stone that is followed
     Roulette roulette_;
     Sampler* sampler_ = nullptr;
     RayField field_;
     std::vector<Footprint::Part> parts_;
     std::size_t count_ = 0;
     Polygon corners_;
+    PixelCutter cutter_;
+    Frame pixels_;
+    Block block_;
     static constexpr std::size_t points_a_cell = 8;
+    static constexpr double unevenness = 2;  ///< (docs/method.md)
     int gem_ = 0, samples_ = 1;
     double threshold_ = 1, share_ = 1;
     bool spectral_ = false;              ///< paths stand for pieces of the spectrum
@@ -395,9 +439,9 @@ BeamEngine::BeamEngine(const BeamScene& scene, const Palette& palette,
 BeamEngine::~BeamEngine() = default;
 BeamEngine::BeamEngine(BeamEngine&&) noexcept = default;
 
-double BeamEngine::pixel(int x, int y, int stone, int samples, std::uint64_t seed,
-                         Sampler& sampler) {
-    return kernels_->pixel(x, y, stone, samples, seed, sampler);
+void BeamEngine::block(const Frame& pixels, int stone, int samples, std::uint64_t seed,
+                       Sampler& sampler, const Seen& seen) {
+    kernels_->block(pixels, stone, samples, seed, sampler, seen);
 }
 
 std::uint64_t BeamEngine::events() const { return kernels_->events(); }

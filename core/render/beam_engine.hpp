@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 
+#include "beams/footprint.hpp"
 #include "render/needs.hpp"
 #include "render/palette.hpp"
 #include "render/sampler.hpp"
@@ -16,6 +18,9 @@ class BeamScene {
 public:
     BeamScene(const World& world, const Needs& needs, int width, int height);
     ~BeamScene();
+
+    /// Along a square of pixels that are best followed together.
+    [[nodiscard]] int block_side(int samples) const;
 
     enum Kind { by_rays = -2, sky = -1 };
     /// Whether a single pass can tell its own error.
@@ -43,10 +48,15 @@ public:
     ~BeamEngine();
     BeamEngine(BeamEngine&&) noexcept;
 
-    /// Adds to the sampler what pixel (x, y), whose `stone_at` is `stone`, sees, following beams of
-    /// at least 1 / samples of its light. Returns the estimated variance of its luminance, or -1
-    /// where only other passes can tell.
-    double pixel(int x, int y, int stone, int samples, std::uint64_t seed, Sampler& sampler);
+    static constexpr int most_across = 4;  ///< pixels of a block
+
+    /// Called with a pixel and the estimated variance of its luminance, or -1 where only other
+    /// passes can tell, when the sampler holds what the pixel sees.
+    using Seen = std::function<void(int x, int y, double variance)>;
+    /// Follows the beams of these pixels, whose `stone_at` is `stone`, together, as far as they are
+    /// worth at least 1 / samples of a pixel's light.
+    void block(const Frame& pixels, int stone, int samples, std::uint64_t seed, Sampler& sampler,
+               const Seen& seen);
 
     [[nodiscard]] std::uint64_t events() const;
 

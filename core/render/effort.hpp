@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "beams/footprint.hpp"
 #include "render/film.hpp"
 #include "render/render.hpp"
 
@@ -18,6 +19,19 @@ struct Tiles {
     [[nodiscard]] int pixels(int tile) const {
         return std::min(side, width - tile % across() * side) *
                std::min(side, height - tile / across() * side);
+    }
+    /// Calls visit(frame) for each square of so many pixels a side, cut off at the picture's edge,
+    /// until it returns false.
+    template <class Visit>
+    void visit(int tile, int size, const Visit& visit_block) const {
+        const int x0 = tile % across() * side, y0 = tile / across() * side;
+        const int x1 = std::min(x0 + side, width), y1 = std::min(y0 + side, height);
+        for (int y = y0; y < y1; y += size) {
+            for (int x = x0; x < x1; x += size) {
+                if (!visit_block(Frame{x, y, std::min(x + size, x1), std::min(y + size, y1)}))
+                    return;
+            }
+        }
     }
     /// Calls visit(x, y) for each pixel of a tile until it returns false.
     template <class Visit>

@@ -69,8 +69,10 @@ bool& Forced::part(std::string_view name) {
     if (name == "absorption") return absorption;
     if (name == "tree") return tree;
     if (name == "surroundings") return surroundings;
-    throw Error("full: '" + std::string(name) +
-                "' is not one of wavelengths, stokes, general, absorption, tree and surroundings");
+    if (name == "pixels") return pixels;
+    throw Error(
+        "full: '" + std::string(name) +
+        "' is not one of wavelengths, stokes, general, absorption, tree, surroundings and pixels");
 }
 
 std::size_t bounded_objects(const Scene& scene) {
@@ -113,6 +115,7 @@ Needs needs_of(const Scene& scene, bool stokes, Engine engine, const Forced& for
     } else {
         n.engine = engine != Engine::rays && n.obstacle.empty() ? Engine::beams : Engine::rays;
     }
+    n.blocks = n.engine == Engine::beams && !n.surroundings && !forced.pixels;
     return n;
 }
 

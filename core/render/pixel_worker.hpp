@@ -31,16 +31,19 @@ public:
         double dropped = 0, absorbed = 0;
         std::uint64_t paths = 0;
     };
-    /// Adds samples `first` to first + count of pixel (x, y), which are the same whoever makes
+    /// Adds samples `first` to first + count of these few pixels, which are the same whoever makes
     /// them; `ends_pass`: together with what came before they cover pixel and spectrum evenly.
-    void add(Film& film, int x, int y, std::uint64_t seed, int first, int count, bool ends_pass,
-             Account& account);
+    void add(Film& film, const Frame& pixels, std::uint64_t seed, int first, int count,
+             bool ends_pass, Account& account);
 
     [[nodiscard]] std::uint64_t events() const;
     /// Samples that were not finite.
     [[nodiscard]] std::uint64_t bad() const { return bad_; }
 
 private:
+    void add_rays(Film& film, int x, int y, std::uint64_t pixel, int first, int count,
+                  bool ends_pass, Account& account);
+
     const PreparedScene& prepared_;
     Sampler sampler_;
     Walker<Sampler> walker_;

@@ -115,6 +115,14 @@ PlanLine surroundings(const Scene& scene, const Needs& n) {
     return {"surroundings", "sky", "asked for, to compare: " + by_rays};
 }
 
+PlanLine pixels(const Needs& n) {
+    if (n.engine == Engine::exact) return {"pixels", "all together", "beams are drawn over them"};
+    if (n.engine == Engine::rays) return {"pixels", "one by one", "each has its own rays"};
+    if (n.blocks) return {"pixels", "up to 16 together", "what a beam brings is shared out"};
+    return {"pixels", "one by one",
+            n.surroundings ? "beams go on as rays of one pixel" : std::string(asked)};
+}
+
 PlanLine lights(const Scene& scene) {
     if (scene.lights.empty()) {
         const Environment& sky = scene.environment;
@@ -168,6 +176,7 @@ std::vector<PlanLine> plan(const Scene& scene, const Needs& n) {
         objects(scene, n),
         surroundings(scene, n),
         lights(scene),
+        pixels(n),
         engine(scene, n)};
 }
 

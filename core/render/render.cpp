@@ -127,6 +127,7 @@ Rendering render(const Scene& scene, const RenderOptions& options,
     RenderReport report;
     Progress state;
     int most = 0, count = 0;  // samples a pixel of any tile: before this pass, and in it
+    int side = 1;             // pixels along a block, in this pass
     std::atomic<int> tiles_done{0};
     const auto tell = [&] {
         state.seconds = seconds();
@@ -163,9 +164,9 @@ Rendering render(const Scene& scene, const RenderOptions& options,
         PixelWorker::Account& account = accounts[static_cast<std::size_t>(tile)];
         int& first = done[static_cast<std::size_t>(tile)];
         const bool ends_pass = by_beams || (first + count) % samples_per_pass == 0;
-        tiles.visit(tile, [&](int x, int y) {
+        tiles.visit(tile, side, [&](const Frame& pixels) {
             look(false);
-            if (!stop) worker.add(film, x, y, options.seed, first, count, ends_pass, account);
+            if (!stop) worker.add(film, pixels, options.seed, first, count, ends_pass, account);
             return !stop;
         });
         if (stop) return;
@@ -195,6 +196,7 @@ Rendering render(const Scene& scene, const RenderOptions& options,
                          : next_ray_pass(options, most);
         if (samples > 0) count = std::min(count, samples - most);
         tiles_done = 0;
+        side = by_beams ? prepared.beams->block_side(count) : 1;
         arena.execute([&] {
             tbb::parallel_for(
                 0, static_cast<int>(active.size()),

@@ -31,7 +31,7 @@ double product(std::span<const double> a, std::span<const double> b) {
 
 SkySpectrum::SkySpectrum(const Environment& sky, const Palette& palette,
                          const WavelengthSampler& wavelengths, int bands, int components,
-                         std::size_t least_cells)
+                         std::size_t least_cells, std::size_t pixels)
     : sky_(sky),
       components_(static_cast<std::size_t>(components)),
       channels_(static_cast<std::size_t>(3 + bands)),
@@ -39,10 +39,10 @@ SkySpectrum::SkySpectrum(const Environment& sky, const Palette& palette,
       lights_(2 + sky.discs.size()),
       radiance_(lights_ * cells_ * channels_),
       up_to_(lights_ * (cells_ + 1) * channels_),
-      lines_(components_ * lights_),
-      cell_light_(components_ * lights_ * cells_),
-      in_cells_(components_ * lights_),
-      sums_(components_ * channels_),
+      seen_(pixels, {std::vector<Line>(components_ * lights_),
+                     std::vector<double>(components_ * lights_ * cells_),
+                     std::vector<char>(components_ * lights_),
+                     std::vector<double>(components_ * channels_)}),
       brightness_(lights_ * cells_),
       in_piece_(lights_) {
     std::vector<const Emitter*> lights{&palette.below, &palette.above};
@@ -89,7 +89,7 @@ SkySpectrum::SkySpectrum(const Environment& sky, const Palette& palette,
 }
 
 double SkySpectrum::begin(int first, int last) {
-    end_piece();
+    for (Seen& seen : seen_) end_piece(seen);
     first_ = static_cast<std::size_t>(first);
     last_ = static_cast<std::size_t>(last);
     double whole = 0, sum = 0;
@@ -110,7 +110,7 @@ void SkySpectrum::add_line(std::size_t light, const Stokes& value, const Stokes&
     const double values[4] = {value.s0, value.s1, value.s2, value.s3};
     const double slopes[4] = {slope.s0, slope.s1, slope.s2, slope.s3};
     for (std::size_t c = 0; c < components_; ++c) {
-        Line& line = lines_[c * lights_ + light];
+        Line& line = own_->lines[c * lights_ + light];
         line.value += values[c];
         line.slope += slopes[c];
     }
@@ -136,21 +136,23 @@ void SkySpectrum::add_cells(std::size_t light, const Stokes& response, const Par
     luminance_ += response.s0 * bright;
     const double parts[4] = {response.s0, response.s1, response.s2, response.s3};
     for (std::size_t c = 0; c < components_; ++c) {
-        in_cells_[c * lights_ + light] = true;
-        double* seen = &cell_light_[(c * lights_ + light) * cells_];
+        own_->in_cells[c * lights_ + light] = true;
+        double* seen = &own_->cell_light[(c * lights_ + light) * cells_];
         for (std::size_t i = first_; i < last_; ++i) {
             seen[i] += parts[c] * part(i);
         }
     }
 }
 
-void SkySpectrum::add(const Expansion& k, const Vec3& fan, PolygonView polygon, double area,
-                      const Stokes& response, std::span<const double> tint) {
+double SkySpectrum::add(std::size_t pixel, const Expansion& k, const Vec3& fan, PolygonView polygon,
+                        double area, const Stokes& response, std::span<const double> tint) {
+    own_ = &seen_[pixel];
+    luminance_ = 0;
     tint_ = tint;
     const double height = 0.5 * (1 + dot(k.value, sky_.up)), slope = 0.5 * dot(fan, sky_.up);
     add_line(0, response, area * (1 - height), area * -slope);
     add_line(1, response, area * height, area * slope);
-    if (sky_.discs.empty()) return;
+    if (sky_.discs.empty()) return luminance_;
     constexpr int halvings = 8;
     const double across = spread(k, polygon);
     const double swing =
@@ -158,6 +160,7 @@ void SkySpectrum::add(const Expansion& k, const Vec3& fan, PolygonView polygon, 
     for (std::size_t i = 0; i < sky_.discs.size(); ++i) {
         add_lamp(i, k, fan, polygon, area, response, across, swing, halvings);
     }
+    return luminance_;
 }
 
 void SkySpectrum::add_lamp(std::size_t number, const Expansion& k, const Vec3& fan,
@@ -199,11 +202,11 @@ void SkySpectrum::add_lamp(std::size_t number, const Expansion& k, const Vec3& f
               [&](double c) { return std::clamp(start + c * (rise - c * bend), 0.0, 1.0); });
 }
 
-void SkySpectrum::end_piece() {
+void SkySpectrum::end_piece(Seen& seen) {
     for (std::size_t c = 0; c < components_; ++c) {
-        double* sums = &sums_[c * channels_];
+        double* sums = &seen.sums[c * channels_];
         for (std::size_t l = 0; l < lights_; ++l) {
-            Line& line = lines_[c * lights_ + l];
+            Line& line = seen.lines[c * lights_ + l];
             if (line.value == 0 && line.slope == 0) continue;
             const Radiance* light = &up_to_[l * (cells_ + 1) * channels_];
             const Radiance *from = light + first_ * channels_, *to = light + last_ * channels_;
@@ -217,15 +220,15 @@ void SkySpectrum::end_piece() {
     }
 }
 
-void SkySpectrum::flush(Sampler& sampler) {
-    end_piece();
-    luminance_ = 0;
+void SkySpectrum::flush(std::size_t pixel, Sampler& sampler) {
+    Seen& own = seen_[pixel];
+    end_piece(own);
     for (std::size_t c = 0; c < components_; ++c) {
-        double* sums = &sums_[c * channels_];
+        double* sums = &own.sums[c * channels_];
         for (std::size_t l = 0; l < lights_; ++l) {
-            if (!in_cells_[c * lights_ + l]) continue;
-            in_cells_[c * lights_ + l] = false;
-            double* seen = &cell_light_[(c * lights_ + l) * cells_];
+            if (!own.in_cells[c * lights_ + l]) continue;
+            own.in_cells[c * lights_ + l] = false;
+            double* seen = &own.cell_light[(c * lights_ + l) * cells_];
             for (std::size_t i = 0; i < channels_; ++i) {
                 sums[i] +=
                     product({seen, cells_}, {&radiance_[(l * channels_ + i) * cells_], cells_});

@@ -19,7 +19,7 @@ class SkySpectrum {
 public:
     SkySpectrum(const Environment& sky, const Palette& palette,
                 const WavelengthSampler& wavelengths, int bands, int components,
-                std::size_t least_cells);
+                std::size_t least_cells, std::size_t pixels);
 
     /// Narrow bands, of equal importance to the eye, or of equal width in pictures with bands,
     /// each of which is made up of whole ones. No fewer than `least_cells`.
@@ -32,14 +32,12 @@ public:
 
     /// `k`: unit wave vectors over the polygon, whose centroid is the origin; `fan`: dk/dc. `tint`:
     /// factors of the response, one a cell; none are 1.
-    void add(const Expansion& k, const Vec3& fan, PolygonView polygon, double area,
-             const Stokes& response, std::span<const double> tint = {});
+    /// Returns the luminance, but for how lines lean.
+    double add(std::size_t pixel, const Expansion& k, const Vec3& fan, PolygonView polygon,
+               double area, const Stokes& response, std::span<const double> tint = {});
 
-    /// Luminance of what was added since the beginning, but for how lines lean.
-    [[nodiscard]] double luminance() const { return luminance_; }
-
-    /// Hands the sums to the sampler and starts anew.
-    void flush(Sampler& sampler);
+    /// Hands a pixel's sums to the sampler and starts it anew.
+    void flush(std::size_t pixel, Sampler& sampler);
 
     [[nodiscard]] static double colour(double wavelength_nm) {
         return 1e6 / (wavelength_nm * wavelength_nm);
@@ -47,6 +45,14 @@ public:
     [[nodiscard]] static double wavelength_nm(double colour) { return 1e3 / std::sqrt(colour); }
 
 private:
+    /// Of light and colour: the sum over all cells below, of 1 and of c.
+    struct Radiance {
+        double whole = 0, slope = 0;
+    };
+    struct Line {
+        double value = 0, slope = 0;
+    };
+
     void add_lamp(std::size_t number, const Expansion& k, const Vec3& fan, PolygonView polygon,
                   double area, const Stokes& response, double across, double swing, int halvings);
     /// The response value + slope c, c being counted from the middle.
@@ -59,16 +65,15 @@ private:
     /// The response times part(number of the cell).
     template <class Part>
     void add_cells(std::size_t light, const Stokes& response, const Part& part);
+    /// What a pixel has seen.
+    struct Seen {
+        std::vector<Line> lines;         ///< [component][light]: of this piece
+        std::vector<double> cell_light;  ///< [component][light][cell]: what is no line
+        std::vector<char> in_cells;      ///< [component][light]: there is such
+        std::vector<double> sums;        ///< [component][channel]
+    };
     /// Lines of the piece to channels.
-    void end_piece();
-
-    /// Of light and colour: the sum over all cells below, of 1 and of c.
-    struct Radiance {
-        double whole = 0, slope = 0;
-    };
-    struct Line {
-        double value = 0, slope = 0;
-    };
+    void end_piece(Seen& seen);
 
     const Environment& sky_;
     std::size_t components_, channels_, cells_;
@@ -77,14 +82,12 @@ private:
     std::vector<double> sight_;       ///< of cells: what they weigh in the middle of a piece
     std::vector<double> radiance_;    ///< [light][channel][cell]
     std::vector<Radiance> up_to_;     ///< [light][cell, and the end][channel]
-    std::vector<Line> lines_;         ///< [component][light]: of this piece
-    std::vector<double> cell_light_;  ///< [component][light][cell]: what is no line
-    std::vector<char> in_cells_;      ///< [component][light]: there is such
-    std::vector<double> sums_;        ///< [component][channel]
+    std::vector<Seen> seen_;          ///< [pixel]
+    Seen* own_ = nullptr;             ///< of the leaf's pixel
     std::vector<double> brightness_;  ///< luminance of each light [light][cell]
     std::vector<double> in_piece_;    ///< and of its whole piece
-    double luminance_ = 0;
-    std::span<const double> tint_;  ///< of the leaf
+    std::span<const double> tint_;    ///< of the leaf
+    double luminance_ = 0;            ///< of the leaf
     std::size_t first_ = 0, last_ = 0;
     double middle_ = 0;
 };

@@ -1,4 +1,5 @@
-// What leaves see of a sky of smooth gradient and round lamps, integrated over their polygons.
+// What leaves see of a sky of smooth gradient and round lamps, integrated over their polygons,
+// pixel by pixel.
 #pragma once
 
 #include <vector>
@@ -12,25 +13,21 @@ namespace icespar {
 /// Sums responses by light, so that colours are worked out once a pixel.
 class SkySum {
 public:
-    explicit SkySum(const Environment& sky) : sky_(sky), discs_(sky.discs.size()) {}
+    SkySum(const Environment& sky, const Palette& palette, std::size_t pixels);
 
     /// `k`: unit wave vectors over the polygon, whose centroid is the origin.
-    void add(const Expansion& k, PolygonView polygon, double area, const Stokes& response);
+    /// Returns the luminance.
+    double add(std::size_t pixel, const Expansion& k, PolygonView polygon, double area,
+               const Stokes& response);
 
-    /// Luminance of the sums so far, for lights of these luminances: below, above, then the discs.
-    [[nodiscard]] double luminance(const std::vector<double>& lights) const {
-        double sum = lights[0] * below_.s0 + lights[1] * above_.s0;
-        for (std::size_t i = 0; i < discs_.size(); ++i) sum += lights[2 + i] * discs_[i].s0;
-        return sum;
-    }
-
-    /// Hands the sums to the sampler and starts anew.
-    void flush(const Palette& palette, Sampler& sampler);
+    /// Hands a pixel's sums to the sampler and starts it anew.
+    void flush(std::size_t pixel, const Palette& palette, Sampler& sampler);
 
 private:
     const Environment& sky_;
-    Stokes below_, above_;
-    std::vector<Stokes> discs_;
+    std::size_t lights_;
+    std::vector<double> luminances_;  ///< of lights: below, above, then the discs
+    std::vector<Stokes> sums_;        ///< [pixel][light]
 };
 
 }  // namespace icespar

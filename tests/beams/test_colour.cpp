@@ -48,7 +48,7 @@ Below through_plate(const Crystal& c) {
     const RayField field = pixel_field(camera, 1, 1, 0, 0, facets.centre());
     std::vector<Footprint::Part> parts;
     std::size_t count = 0;
-    Footprint(plate, camera, 1, 1).divide(0, 0, parts, count);
+    Footprint(plate, camera, 1, 1).divide({0, 0, 1, 1}, parts, count);
     REQUIRE(count == 1);
     BeamTracer<IntensityResponse, birefringent, false, true> tracer(facets);
     tracer.set_medium(birefringent
@@ -174,7 +174,7 @@ TEST_CASE("no light grows on its way through a coloured stone, however it grazes
     for (int pixel = 0; pixel < 144; ++pixel) {
         const int x = pixel % 12, y = pixel / 12;
         std::size_t count = 0;
-        footprint.divide(x, y, parts, count);
+        footprint.divide({x, y, x + 1, y + 1}, parts, count);
         const RayField field = pixel_field(scene.camera, 12, 12, x, y, facets.centre());
         for (std::size_t i = 0; i < count; ++i) {
             if (parts[i].facet < 0) continue;

@@ -58,7 +58,7 @@ Recorder<Response> followed(const Scene& scene, int width, int x, int y, int dep
     const RayField field = pixel_field(scene.camera, width, width, x, y, facets.centre());
     std::vector<Footprint::Part> parts;
     std::size_t count = 0;
-    footprint.divide(x, y, parts, count);
+    footprint.divide({x, y, x + 1, y + 1}, parts, count);
     const auto run = [&](auto tracer) {
         tracer.set_medium(medium_of(gem.crystal));
         for (std::size_t i = 0; i < count; ++i) {
@@ -106,7 +106,7 @@ TEST_CASE("the facets of a stone and the background share a pixel without gap or
         for (int y = 0; y < size; ++y) {
             for (int x = 0; x < size; ++x) {
                 std::size_t count = 0;
-                footprint.divide(x, y, parts, count);
+                footprint.divide({x, y, x + 1, y + 1}, parts, count);
                 double sum = 0;
                 for (std::size_t p = 0; p < count; ++p) sum += extent(parts[p].polygon).area;
                 worst = std::max(worst, std::abs(sum - 1));
@@ -179,7 +179,7 @@ TEST_CASE("light leaves a stone of a slightly different colour where its fan poi
         const RayField field = pixel_field(camera, 1, 1, 0, 0, facets.centre());
         std::vector<Footprint::Part> parts;
         std::size_t count = 0;
-        footprint.divide(0, 0, parts, count);
+        footprint.divide({0, 0, 1, 1}, parts, count);
         if (count != 1 || parts[0].facet < 0) continue;
         const Vec3 axis = random.direction();
         const auto followed_at = [&](double c) {

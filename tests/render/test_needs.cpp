@@ -22,7 +22,7 @@ std::vector<double> sums_of(const Scene& scene, Engine engine, const Forced& for
     PixelWorker worker(prepared, film);
     PixelWorker::Account account;
     for (int y = 0; y < height; ++y) {
-        for (int x = 0; x < width; ++x) worker.add(film, x, y, 7, 0, samples, true, account);
+        for (int x = 0; x < width; ++x) worker.add(film, {x, y, x + 1, y + 1}, 7, 0, samples, true, account);
     }
     REQUIRE(worker.bad() == 0);
     std::vector<double> out;
