@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "beams/polygon.hpp"
@@ -59,6 +60,7 @@ public:
         if (block.count() == 1) return add(0, polygon, area, Point2{});
         const Block::Span over = block.span(polygon, centre);
         if (over.one()) return add(block.number(over.x0, over.y0), polygon, area, Point2{});
+        if (area == block.count()) return cut_whole(block, centre, add);
         rest_.assign(polygon.begin(), polygon.end());
         for (int y = over.y0; y <= over.y1; ++y) {
             take(rest_, y < over.y1, block.below(y, centre), row_);
@@ -73,6 +75,19 @@ public:
     }
 
 private:
+    /// All of the block: sky, or what one facet reflects.
+    template <class Add>
+    static void cut_whole(const Block& block, const Point2& centre, const Add& add) {
+        static constexpr std::array<Point2, 4> square{
+            {{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}}};
+        for (int y = 0; y < block.down; ++y) {
+            for (int x = 0; x < block.across; ++x) {
+                const Point2 middle{x + 0.5 - 0.5 * block.across, 0.5 * block.down - y - 0.5};
+                add(block.number(x, y), PolygonView(square), 1.0, middle - centre);
+            }
+        }
+    }
+
     /// What is not beyond the line; all if there is none.
     void take(Polygon& from, bool line, const Affine& beyond, Polygon& taken) {
         if (line) {

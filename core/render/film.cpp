@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace icespar {
 namespace {
@@ -11,6 +12,9 @@ namespace {
 constexpr double brightest = 1e30;
 /// Of the unit interval: where a wavelength is to be found in it.
 constexpr std::size_t guides = 512;
+
+/// How far pixels share their variances, along and across.
+constexpr int reach = 2;
 
 double luminance(const double* rgb, int stride) {
     return xyz_from_rgb({rgb[0], rgb[stride], rgb[2 * stride]})[1];
@@ -105,19 +109,26 @@ std::vector<double> Film::variances() const {
                            : std::max(0.0, s.squares - s.before * s.before / samples) /
                                  ((passes - 1) * samples));
     }
-    std::vector<double> shared(own.size());
+    // Along rows, then along columns; at the picture's edges there are fewer neighbours.
+    const auto neighbours = [](int at, int size) {
+        return std::pair(std::max(0, at - reach), std::min(size - 1, at + reach));
+    };
+    std::vector<double> rows(own.size()), shared(own.size(), 0.0);
     for (int y = 0; y < height_; ++y) {
         for (int x = 0; x < width_; ++x) {
+            const auto [first, last] = neighbours(x, width_);
             double sum = 0;
-            int pixels = 0;
-            for (int v = std::max(0, y - 2); v <= std::min(height_ - 1, y + 2); ++v) {
-                for (int u = std::max(0, x - 2); u <= std::min(width_ - 1, x + 2); ++u) {
-                    sum += own[pixel(u, v)];
-                    ++pixels;
-                }
-            }
-            shared[pixel(x, y)] = sum / pixels;
+            for (int u = first; u <= last; ++u) sum += own[pixel(u, y)];
+            rows[pixel(x, y)] = sum / (last - first + 1);
         }
+    }
+    for (int y = 0; y < height_; ++y) {
+        const auto [first, last] = neighbours(y, height_);
+        for (int v = first; v <= last; ++v) {
+            for (int x = 0; x < width_; ++x) shared[pixel(x, y)] += rows[pixel(x, v)];
+        }
+        const double share = 1.0 / (last - first + 1);
+        for (int x = 0; x < width_; ++x) shared[pixel(x, y)] *= share;
     }
     return shared;
 }

@@ -51,7 +51,7 @@ public:
 
     /// Variance of the luminance of each pixel, from how much its passes differ, since samples
     /// within a pass are not independent, unless every pass told its own. Neighbours share what
-    /// they know: the mean over 3x3 pixels. Empty while a pixel has ended fewer than 2 passes.
+    /// they know: the mean over 5x5 pixels. Empty while a pixel has ended fewer than 2 passes.
     [[nodiscard]] std::vector<double> variances() const;
     [[nodiscard]] double mean_luminance() const;
 

@@ -39,7 +39,10 @@ void SkySum::flush(std::size_t pixel, const Palette& palette, Sampler& sampler) 
     Stokes* sums = &sums_[pixel * lights_];
     sampler.see(palette.below, sums[0], false);
     sampler.see(palette.above, sums[1], false);
-    for (std::size_t i = 2; i < lights_; ++i) sampler.see(palette.discs[i - 2], sums[i], false);
+    for (std::size_t i = 2; i < lights_; ++i) {
+        // Few pixels see more than one lamp.
+        if (sums[i].s0 != 0) sampler.see(palette.discs[i - 2], sums[i], false);
+    }
     std::fill_n(sums, lights_, Stokes{});
 }
 

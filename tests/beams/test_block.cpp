@@ -101,6 +101,31 @@ TEST_CASE("what of a polygon lies in each pixel of a block sums to the polygon",
     }
 }
 
+TEST_CASE("a polygon that fills its block gives each pixel a square about its middle",
+          "[beams][block]") {
+    const Block block{4, 3};
+    const Polygon polygon{{-2, -1.5}, {2, -1.5}, {2, 1.5}, {-2, 1.5}};
+    std::vector<Point2> middles;
+    PixelCutter().cut(
+        block, polygon, {}, extent(polygon).area,
+        [&](std::size_t pixel, PolygonView part, double area, const Point2& at) {
+            CHECK(pixel == middles.size());
+            const Extent own = extent(part);
+            CHECK_THAT(area, WithinAbs(own.area, 1e-15));
+            CHECK_THAT(own.area, WithinAbs(1, 1e-15));
+            CHECK_THAT(std::hypot(own.centroid.x, own.centroid.y), WithinAbs(0, 1e-15));
+            for (const Point2& p : part) {
+                CHECK_THAT(std::max(std::abs(p.x), std::abs(p.y)), WithinAbs(0.5, 1e-15));
+            }
+            middles.push_back(at);
+        });
+    REQUIRE(middles.size() == 12);
+    for (std::size_t i = 0; i < middles.size(); ++i) {
+        CHECK_THAT(middles[i].x, WithinAbs(double(i % 4) - 1.5, 1e-15));
+        CHECK_THAT(middles[i].y, WithinAbs(1 - double(i / 4), 1e-15));
+    }
+}
+
 TEST_CASE("pixels followed together see what each sees by itself", "[beams][block]") {
     const bool parallel = GENERATE(false, true);
     const int kind = GENERATE(range(0, 6));

@@ -115,3 +115,32 @@ TEST_CASE("a picture made to an error has it, whichever pixels it took", "[error
         CHECK(largest / mean < 4.5 * 0.3);
     }
 }
+
+TEST_CASE("a pixel's variance is the mean of those around it, at the picture's edges of fewer",
+          "[error]") {
+    constexpr int width = 7, height = 4;
+    Film film(width, height, 0, false);
+    const auto own = [](int x, int y) { return 1 + 0.3 * x * x + std::cos(3.0 * x + 5.0 * y); };
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            REQUIRE(film.add(x, y, {1, 1, 1}));
+            film.end_pass(x, y, own(x, y));
+        }
+    }
+    const std::vector<double> found = film.variances();
+    REQUIRE(found.size() == width * height);
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            double sum = 0, count = 0;
+            for (int v = y - 2; v <= y + 2; ++v) {
+                for (int u = x - 2; u <= x + 2; ++u) {
+                    if (u < 0 || v < 0 || u >= width || v >= height) continue;
+                    sum += own(u, v);
+                    ++count;
+                }
+            }
+            CAPTURE(x, y);
+            CHECK(found[static_cast<std::size_t>(y * width + x)] == Approx(sum / count));
+        }
+    }
+}
