@@ -8,6 +8,7 @@
 #include "beams/carry.hpp"
 #include "beams/fresnel.hpp"
 #include "beams/response.hpp"
+#include "interface/inner_face.hpp"
 #include "interface/interface.hpp"
 #include "views/beam_queue.hpp"
 #include "views/colours.hpp"
@@ -32,6 +33,7 @@ public:
           air_(Medium::isotropic(1)),
           medium_(medium),
           modes_(modes_of(medium)),
+          closed_form_(medium.plain()),
           colours_(medium, absorption),
           frame_(frame),
           options_(options),
@@ -232,7 +234,7 @@ private:
             s = face.s_direction();
             const Pair arriving = launched.turned(dot(s, right), dot(s, cross(k, right)));
             leave(back, {}, s, arriving.through(transfer(face, false)));
-            send_modes(face, normal, true, false, [&](std::size_t m) {
+            send_modes(CrystalWaves(face, true), normal, false, [&](std::size_t m) {
                 return Response::entering(arriving, face.flux_amplitude(0, true, m),
                                           face.flux_amplitude(1, true, m));
             });
@@ -330,6 +332,16 @@ private:
     void meet(const Vec3& normal) {
         const Vec3 k = beam_.k;
         if constexpr (crystal) {
+            const auto before = beam_.response;
+            if (closed_form_) {
+                const InnerFace face(medium_, air_, normal, k, beam_.s, beam_.mode == 1);
+                if (face.passes) {
+                    leave(face.k_out, fan_outside(face.k_out, normal), face.s,
+                          before.leaving(face.out_s, face.out_p));
+                }
+                return send_modes(face.reflected, normal, face.passes,
+                                  [&](std::size_t i) { return before.times(face.amplitude[i]); });
+            }
             Wave incident;
             incident.mode = modes_[static_cast<std::size_t>(beam_.mode)];
             incident.k = complexified(k);
@@ -338,16 +350,15 @@ private:
             incident.n_phase = length(k);
             const Interface face(medium_, air_, normal, incident);
             const auto m = static_cast<std::size_t>(beam_.mode);
-            const auto before = beam_.response;
             if (face.propagating(true, 0)) {
                 const Vec3 out = face.wave_vector(true, 0);
                 leave(out, fan_outside(out, normal), face.s_direction(),
                       before.leaving(face.flux_amplitude(m, true, 0),
                                      face.flux_amplitude(m, true, 1)));
             }
-            send_modes(face, normal, false, face.propagating(true, 0), [&](std::size_t i) {
-                return before.times(face.flux_amplitude(m, false, i));
-            });
+            send_modes(
+                CrystalWaves(face, false), normal, face.propagating(true, 0),
+                [&](std::size_t i) { return before.times(face.flux_amplitude(m, false, i)); });
         } else {
             const double n = medium_.n_o, q = dot(normal, k);
             const Pair incident = on_face(beam_.response, k, n, normal, beam_.s);
@@ -376,15 +387,15 @@ private:
     }
 
     template <class Coupled>
-    void send_modes(const Interface& face, const Vec3& normal, bool transmitted, bool thinned,
+    void send_modes(const CrystalWaves& waves, const Vec3& normal, bool thinned,
                     const Coupled& coupled) {
         const Vec3 before = beam_.fan;
         for (std::size_t i = 0; i < 2; ++i) {
-            if (!face.propagating(transmitted, i)) continue;
+            if (!waves.propagates[i]) continue;
             beam_.mode = static_cast<int>(i);
             beam_.response = coupled(i);
-            beam_.k = face.wave_vector(transmitted, i);
-            beam_.s = face.field_direction(transmitted, i);
+            beam_.k = waves.k[i];
+            beam_.s = waves.E[i];
             fan(before, normal);
             send(thinned);
         }
@@ -447,6 +458,7 @@ private:
     FacetCells cells_;
     Medium air_, medium_;
     std::array<Mode, 2> modes_;
+    bool closed_form_;  ///< of faces met from inside
     Colours colours_;
     std::array<double, std::tuple_size_v<decltype(Beam::lengths)>> growth_{};
     PictureFrame frame_;
