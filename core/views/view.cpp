@@ -102,6 +102,7 @@ Exits Exits::expanded() const {
         for (std::size_t i = 0; i < size(); ++i) {
             out.direction.push_back(image.of(direction[i], frame));
             if (!fan.empty()) out.fan.push_back(image.of(fan[i], frame));
+            if (!turned.empty()) out.turned.push_back(image.of(turned[i], frame));
             out.weight.push_back(image.of(weight[i]));
             out.area.push_back(area[i]);
             out.entry.push_back(becomes(entry[i]));

@@ -68,6 +68,7 @@ struct ViewOptions {
     bool outlines = false;   ///< keep the polygons too
     /// How the permittivity changes with colour: keep how directions move with that.
     std::optional<RealTensor> fan{};
+    bool turns = false;      ///< keep how directions move with the line of sight
     bool polarised = false;  ///< keep what is seen of polarised light too; without symmetry
     /// Before the viewer, on picture-right and picture-up; without symmetry.
     std::optional<Jones> analyser{};
@@ -90,6 +91,12 @@ struct PictureImage {
     [[nodiscard]] Point2 turned(const Point2& p) const { return p.x * right + p.y * up; }
     [[nodiscard]] Point2 of(const Point2& p) const { return centre + turned(p - centre); }
     [[nodiscard]] Vec3 of(const Vec3& direction, const PictureFrame& frame) const;
+    /// Derivatives with what turns to picture-right and -up.
+    [[nodiscard]] std::array<Vec3, 2> of(const std::array<Vec3, 2>& turned,
+                                         const PictureFrame& frame) const {
+        return {of(right.x * turned[0] + up.x * turned[1], frame),
+                of(right.y * turned[0] + up.y * turned[1], frame)};
+    }
     /// The number at the point that becomes p.
     [[nodiscard]] Affine of(const Affine& number) const {
         const Point2 slope = turned({number.dx, number.dy});
@@ -108,6 +115,8 @@ struct Exits {
     PictureFrame frame;
     std::vector<Vec3> direction;  ///< unit, away from the stone, against the light
     std::vector<Vec3> fan;        ///< if that was asked for: its derivative with colour
+    /// If that was asked for: its derivatives as the line of sight turns to picture-right and -up.
+    std::vector<std::array<Vec3, 2>> turned;
     /// What the viewer sees of unpolarised radiance 1 from there; the mean over the beam, if the
     /// stone absorbs.
     std::vector<Stokes> weight;

@@ -84,11 +84,14 @@ private:
         using type = typename R::Single;
     };
 
+    using Moves = std::array<Vec3, 3>;
+
     struct Beam {
         BeamPlace place;
         Vec3 k;
-        Vec3 s;    ///< a crystal's mode: its E
-        Vec3 fan;  ///< the derivative of k with colour
+        Vec3 s;  ///< a crystal's mode: its E
+        /// Derivatives of k: with colour, and as the line of sight turns to picture-right and -up.
+        Moves moves;
         typename Carried<Response, crystal>::type response;
         double area;
         std::array<Affine, absorbing ? (crystal ? 4 : 1) : 0> lengths{};  ///< Colours
@@ -227,13 +230,15 @@ private:
         // Launched with x along s and y = x cross k, which is -p.
         const Pair launched = at_viewer().times(1, -1);
         const Vec3 back = k - (2 * dot(normal, k)) * normal;
+        const Moves sight{Vec3{}, right, up};
         Vec3 s = right;
         if constexpr (crystal) {
             Wave incident = plane_wave(air_, Mode::s, k, By::wave_normal, normal);
             const Interface face(air_, medium_, normal, incident);
             s = face.s_direction();
             const Pair arriving = launched.turned(dot(s, right), dot(s, cross(k, right)));
-            leave(back, {}, s, arriving.through(transfer(face, false)));
+            beam_.moves = sight;
+            leave(back, outside_moves(back, normal), s, arriving.through(transfer(face, false)));
             send_modes(CrystalWaves(face, true), normal, false, [&](std::size_t m) {
                 return Response::entering(arriving, face.flux_amplitude(0, true, m),
                                           face.flux_amplitude(1, true, m));
@@ -242,10 +247,11 @@ private:
             const Pair arriving = on_face(launched, k, 1, normal, s);
             const double q = dot(normal, k);
             const Fresnel through = fresnel(1, medium_.n_o, q);
-            leave(back, {}, s, arriving.times(through.r_s, through.r_p));
+            beam_.moves = sight;
+            leave(back, outside_moves(back, normal), s, arriving.times(through.r_s, through.r_p));
             beam_.k = k + (through.q - q) * normal;
             beam_.s = s;
-            fan({}, normal);
+            move(sight, normal);
             beam_.response = arriving.times(through.t_s, through.t_p);
             send(false);
         }
@@ -336,7 +342,7 @@ private:
             if (closed_form_) {
                 const InnerFace face(medium_, air_, normal, k, beam_.s, beam_.mode == 1);
                 if (face.passes) {
-                    leave(face.k_out, fan_outside(face.k_out, normal), face.s,
+                    leave(face.k_out, outside_moves(face.k_out, normal), face.s,
                           before.leaving(face.out_s, face.out_p));
                 }
                 return send_modes(face.reflected, normal, face.passes,
@@ -352,7 +358,7 @@ private:
             const auto m = static_cast<std::size_t>(beam_.mode);
             if (face.propagating(true, 0)) {
                 const Vec3 out = face.wave_vector(true, 0);
-                leave(out, fan_outside(out, normal), face.s_direction(),
+                leave(out, outside_moves(out, normal), face.s_direction(),
                       before.leaving(face.flux_amplitude(m, true, 0),
                                      face.flux_amplitude(m, true, 1)));
             }
@@ -365,38 +371,46 @@ private:
             const Fresnel face = fresnel(n, 1, q);
             if (face.passes) {
                 const Vec3 out = k + (face.q - q) * normal;
-                leave(out, fan_outside(out, normal), beam_.s, incident.times(face.t_s, face.t_p));
+                leave(out, outside_moves(out, normal), beam_.s, incident.times(face.t_s, face.t_p));
             }
             beam_.response = incident.times(face.r_s, face.r_p);
             beam_.k = k - (2 * q) * normal;
-            beam_.fan = mirrored(beam_.fan, normal);
+            for (Vec3& m : beam_.moves) m = mirrored(m, normal);
             send(face.passes);
         }
     }
 
-    /// Of beam_, whose wave vector had this fan when it met the face. By k x (k x E) = -eps E the
-    /// surface on which k ends swells by E . (d eps) E / 2.
-    void fan(const Vec3& before, const Vec3& normal) {
-        if (!options_.fan) return;
-        const RealTensor& change = *options_.fan;
-        const double swell = 0.5 * (crystal ? dot(beam_.s, change * beam_.s) : change.xx);
-        beam_.fan = fanned(before, normal, flow(), swell);
+    /// Of beam_, whose wave vector had these when it met the face. By k x (k x E) = -eps E the
+    /// surface on which k ends swells by E . (d eps) E / 2 with colour.
+    void move(const Moves& before, const Vec3& normal) {
+        const Vec3 along = flow();
+        if (options_.fan) {
+            const RealTensor& change = *options_.fan;
+            const double swell = 0.5 * (crystal ? dot(beam_.s, change * beam_.s) : change.xx);
+            beam_.moves[0] = fanned(before[0], normal, along, swell);
+        }
+        if (!options_.turns) return;
+        for (std::size_t i : {1, 2}) beam_.moves[i] = fanned(before[i], normal, along, 0);
     }
-    [[nodiscard]] Vec3 fan_outside(const Vec3& k, const Vec3& normal) const {
-        return options_.fan ? fanned(beam_.fan, normal, k, 0) : Vec3{};
+    [[nodiscard]] Moves outside_moves(const Vec3& k, const Vec3& normal) const {
+        Moves out{};
+        if (options_.fan) out[0] = fanned(beam_.moves[0], normal, k, 0);
+        if (!options_.turns) return out;
+        for (std::size_t i : {1, 2}) out[i] = fanned(beam_.moves[i], normal, k, 0);
+        return out;
     }
 
     template <class Coupled>
     void send_modes(const CrystalWaves& waves, const Vec3& normal, bool thinned,
                     const Coupled& coupled) {
-        const Vec3 before = beam_.fan;
+        const Moves before = beam_.moves;
         for (std::size_t i = 0; i < 2; ++i) {
             if (!waves.propagates[i]) continue;
             beam_.mode = static_cast<int>(i);
             beam_.response = coupled(i);
             beam_.k = waves.k[i];
             beam_.s = waves.E[i];
-            fan(before, normal);
+            move(before, normal);
             send(thinned);
         }
     }
@@ -414,10 +428,12 @@ private:
     }
 
     /// `s` is across k, of any length.
-    void leave(const Vec3& k, const Vec3& fan, const Vec3& s, const Pair& response) {
+    void leave(const Vec3& k, const Moves& moves, const Vec3& s, const Pair& response) {
         const double share = beam_.passed * beam_.gain;
         out_.direction.push_back(normalised(k));
-        if (options_.fan) out_.fan.push_back(is_finite(fan) ? fan : Vec3{});
+        const auto known = [](const Vec3& v) { return is_finite(v) ? v : Vec3{}; };
+        if (options_.fan) out_.fan.push_back(known(moves[0]));
+        if (options_.turns) out_.turned.push_back({known(moves[1]), known(moves[2])});
         out_.weight.push_back(share * response.unpolarised());
         if constexpr (!std::is_same_v<Response, AveragedResponse>) {
             if (options_.polarised) {

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "bindings.hpp"
+#include "math/error.hpp"
 #include "views/light_return.hpp"
 
 namespace icespar::python {
@@ -57,6 +58,32 @@ py::array direction_of(const py::object& self) {
                 {sizeof(Vec3), sizeof(double)}, self);
 }
 
+py::array fan_of(const py::object& self) {
+    const auto& f = self.cast<const Exits&>().fan;
+    return over(f.empty() ? nullptr : &f[0].x, {static_cast<py::ssize_t>(f.size()), 3},
+                {sizeof(Vec3), sizeof(double)}, self);
+}
+
+py::array turned_of(const py::object& self) {
+    const auto& t = self.cast<const Exits&>().turned;
+    return over(t.empty() ? nullptr : &t[0][0].x, {static_cast<py::ssize_t>(t.size()), 2, 3},
+                {sizeof(t[0]), sizeof(Vec3), sizeof(double)}, self);
+}
+
+/// Symmetric, of real numbers.
+RealTensor change_of(const py::array_t<double, py::array::c_style>& array) {
+    if (array.ndim() != 2 || array.shape(0) != 3 || array.shape(1) != 3) {
+        throw Error("fan: how the permittivity changes has shape (3, 3)");
+    }
+    const auto m = array.unchecked<2>();
+    const RealTensor out{m(0, 0), m(1, 1), m(2, 2), m(1, 2), m(0, 2), m(0, 1)};
+    if (!is_finite(Vec3{out.xx, out.yy, out.zz}) || !is_finite(Vec3{out.yz, out.xz, out.xy}) ||
+        m(2, 1) != out.yz || m(2, 0) != out.xz || m(1, 0) != out.xy) {
+        throw Error("fan: how the permittivity changes is finite and symmetric");
+    }
+    return out;
+}
+
 py::array weight_of(const py::object& self) {
     const auto& w = self.cast<const Exits&>().weight;
     return over(w.empty() ? nullptr : &w[0].s0, {static_cast<py::ssize_t>(w.size()), 4},
@@ -83,6 +110,8 @@ void bind_view(py::module_& module) {
         .value("sc2", Dome::sc2);
     py::class_<Exits>(module, "Exits")
         .def_property_readonly("direction", &direction_of)
+        .def_property_readonly("fan", &fan_of)
+        .def_property_readonly("turned", &turned_of)
         .def_property_readonly("weight", &weight_of)
         .def_property_readonly("area", column(&Exits::area))
         .def_property_readonly("entry", column(&Exits::entry))
@@ -107,7 +136,8 @@ void bind_view(py::module_& module) {
         [](const Stone& stone, const Medium& medium, const py::object& direction,
            const py::object& up, Weights weights, std::optional<double> bound, double error,
            std::uint64_t max_beams, double seconds, std::uint64_t seed, int max_hits,
-           double least_power, const std::vector<double>& absorption) {
+           double least_power, const std::vector<double>& absorption,
+           const std::optional<py::array_t<double, py::array::c_style>>& fan, bool turns) {
             ViewOptions options;
             options.weights = weights;
             options.bound = bound;
@@ -117,11 +147,13 @@ void bind_view(py::module_& module) {
             options.seed = seed;
             options.max_hits = max_hits;
             options.least_power = least_power;
+            if (fan) options.fan = change_of(*fan);
+            options.turns = turns;
             return traced(stone, medium, direction, up, absorption, std::move(options));
         },
         "stone"_a, "medium"_a, py::kw_only(), "direction"_a, "up"_a, "weights"_a, "bound"_a,
         "error"_a, "max_beams"_a, "seconds"_a, "seed"_a, "max_hits"_a, "least_power"_a,
-        "absorption"_a);
+        "absorption"_a, "fan"_a, "turns"_a);
     module.def("light_return", &returned, "exits"_a, "dome"_a, "zenith"_a, "head"_a, "facet"_a);
     module.def("table_facet", &table_facet, "stone"_a);
 }

@@ -221,6 +221,10 @@ class Exits:
     @property
     def direction(self) -> NDArray[np.float64]: ...
     @property
+    def fan(self) -> NDArray[np.float64]: ...
+    @property
+    def turned(self) -> NDArray[np.float64]: ...
+    @property
     def weight(self) -> NDArray[np.float64]: ...
     @property
     def area(self) -> NDArray[np.float64]: ...
@@ -451,6 +455,8 @@ def trace_view(
     max_hits: int,
     least_power: float,
     absorption: Sequence[float],
+    fan: NDArray[np.float64] | None,
+    turns: bool,
 ) -> Exits: ...
 def light_return(
     exits: Exits, dome: Dome, zenith: NDArray[np.float64], head: float, facet: int | None

@@ -7,6 +7,7 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ._core import Error, Medium
 from .coloured import Coloured, coloured
@@ -20,7 +21,7 @@ from .performance import (
     HEAD,
     LAMP,
     NUDGE,
-    PATCH,
+    WINDOW,
     Number,
     Numbers,
     frame_of,
@@ -28,52 +29,46 @@ from .performance import (
     percent,
     trace,
 )
+from .views import View
 
-FEW, MANY = 50_000, 800_000  #: beams of each view for fire and scintillation, at first and at most
 TILTED = 5.0  #: so much larger is the error that is asked of tilted views
 COARSE = 10.0  #: between wavelengths of tilted views of a coloured stone, nm; 5 face-up
 
 
-def fire(gem: Gem, tilt: tuple[float, float] = (0.0, 0.0), bound: float = 3e-3, error: float = 1e-3) -> Number:
-    """MEANING["fire"], to within `error`, or as near as so many beams lead as a few seconds allow.
+def fire(gem: Gem, tilt: tuple[float, float] = (0.0, 0.0), bound: float = 1e-3, error: float = 1e-4) -> Number:
+    """MEANING["fire"], of a view that is traced as `trace` does."""
+    return changes(moving(gem, tilt, bound, error), tilt)["fire"]
 
-    At first views are traced until no more than `bound` of all light is left.
-    """
+
+def scintillation(gem: Gem, tilt: tuple[float, float] = (0.0, 0.0), bound: float = 1e-3, error: float = 1e-4) -> Number:
+    """MEANING["scintillation"], of a view that is traced as `trace` does."""
+    return changes(moving(gem, tilt, bound, error), tilt)["scintillation"]
+
+
+def moving(gem: Gem, tilt: tuple[float, float], bound: float | None, error: float | None) -> View:
+    """The gem's view, with how directions move from red (C line) to blue (F line) and as it is tilted."""
+    blue, red = (np.real(gem.medium(nm).permittivity) for nm in (F_LINE, C_LINE))
+    return trace(gem, tilt, None, bound, error, fan=blue - red, turns=True)
+
+
+def changes(seen: View, tilt: tuple[float, float] = (0.0, 0.0)) -> Numbers:
+    """Fire and scintillation of a view that `moving` gave."""
     frame = frame_of(tilt)
-
-    def traced(effort: float) -> Number:
-        views = (
-            trace(gem, tilt, gem.medium(nm), bound / effort, 0.03 * error / effort, int(FEW * effort))
-            for nm in (F_LINE, C_LINE)
-        )
-        return percent(moved(*views, frame, frame, LAMP, HEAD))
-
-    return _until_known(traced, error)
+    towards = frame[2]
+    gone = [moved(seen, by, towards, WINDOW, HEAD) for by in nudged(seen, frame)]
+    return {
+        "scintillation": percent(np.mean(gone, axis=0).tolist()),
+        "fire": percent(moved(seen, seen.fan, towards, LAMP, HEAD)),
+    }
 
 
-def scintillation(gem: Gem, tilt: tuple[float, float] = (0.0, 0.0), bound: float = 4e-3, error: float = 1e-3) -> Number:
-    """MEANING["scintillation"]; the others are those of `fire`."""
-    ways = tilt, (tilt[0] + NUDGE, tilt[1]), (tilt[0], tilt[1] + NUDGE)
-    frames = [frame_of(way) for way in ways]
-
-    def traced(effort: float) -> Number:
-        views = [trace(gem, way, None, bound / effort, 0.1 * error / effort, int(FEW * effort)) for way in ways]
-        found = [moved(views[0], views[i], frames[0], frames[i], PATCH, HEAD) for i in (1, 2)]
-        return percent(np.mean(found, axis=0).tolist())
-
-    return _until_known(traced, error)
-
-
-def _until_known(traced: Callable[[float], Number], error: float) -> Number:
-    """Calls with more and more effort, 1 at first, until the number's error is no more than `error`."""
-    effort, most = 1.0, MANY / FEW
-    while True:
-        number = traced(effort)
-        if number.error <= 100 * error or effort == most:
-            return number
-        # Errors fall with about the effort to the power of -0.6: aim a little beyond.
-        short = min(most, 1.2 * number.error / (100 * error))
-        effort = min(most, math.ceil(2 * effort * max(1.5, short**1.6)) / 2)
+def nudged(seen: View, frame: NDArray[np.float64]) -> list[NDArray[np.float64]]:
+    """How each direction moves, for a viewer whose sky stays, when the line of sight turns to the right or up by NUDGE."""
+    right, up, towards = frame
+    return [
+        math.radians(NUDGE) * (seen.turned[:, i] - np.cross(np.cross(-towards, way), seen.direction))
+        for i, way in enumerate((right, up))
+    ]
 
 
 @dataclass(frozen=True)
@@ -144,7 +139,7 @@ def analyse(
     colour: bool = False,
 ) -> Analysis:
     """Traces the gem face-up, until no more than `bound` of all light is left or many beams were followed, and samples the
-    rest to the standard error `error`; fire and scintillation are traced to one of 10 `error`, or with as many beams as a few seconds allow.
+    rest to the standard error `error`.
     At each tilt about both axes numbers have an error of 5 `error`, whatever their bound.
 
     Stones are clear. With `colour` there are the numbers of the coloured stone besides, as `icespar.coloured` defines them.
@@ -172,22 +167,18 @@ def analyse(
 
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         # The longest jobs first.
-        changes = [
-            pool.submit(scintillation, gem, bound=4 * bound, error=10 * error),
-            pool.submit(fire, gem, bound=3 * bound, error=10 * error),
-        ]
+        straight = pool.submit(moving, gem, (0.0, 0.0), bound, error)
         tinted = pool.submit(coloured, gem, error=error) if colour else None
-        straight = [pool.submit(trace, gem, medium=m, bound=bound, error=error) for m in (None, plain)[: 1 if plain is None else 2]]
+        without = pool.submit(trace, gem, medium=plain, bound=bound, error=error) if plain is not None else None
         for done, (job, result) in enumerate(zip(jobs, pool.map(one, jobs), strict=True), 1):
             getattr(found, job[0]).setdefault(job[2], []).append(result)
             if progress:
                 progress(done / len(jobs))
-        found.face_up.update(numbers(straight[0].result()))
-        found.face_up["scintillation"], found.face_up["fire"] = (change.result() for change in changes)
+        found.face_up.update(numbers(straight.result()) | changes(straight.result()))
         if tinted:
             found.coloured = tinted.result()
-        if plain is not None:
-            found.without = numbers(straight[1].result())
+        if without is not None:
+            found.without = numbers(without.result())
     if plain is not None:
         found.doubled = {
             axis: [doubling(gem, (t, 0.0) if axis == "x" else (0.0, t)) for t in tilts] for axis in "xy"

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Iterable
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,9 +13,9 @@ from .views import View, view
 
 HEAD = 10.0  #: half the angle of the observer's head in light return and extinction, degrees; GemRay's
 SCOPE_HEAD = 15.0  #: and in ASET and Ideal-Scope
-LAMP = 2.0  #: side of a patch of sky that counts as one lamp, for fire, degrees
-PATCH = 10.0  #: and for scintillation
-NUDGE = 2.0  #: tilt between the two views of scintillation, degrees
+LAMP = 2.0  #: across a lamp, for fire, degrees
+WINDOW = 10.0  #: and across a window, for scintillation
+NUDGE = 2.0  #: tilt of scintillation, degrees
 BEAMS = 500_000  #: after so many a view that is to be traced to a bound ends, and states what is left
 F_LINE, C_LINE, D_LINE = 486.1, 656.3, 589.3  #: nm
 
@@ -50,12 +50,12 @@ MEANING = {
     "idealscope_white": "white: from below",
     "absorbed": "of a coloured stone, the light that it keeps",
     "fire": (
-        "our own: the part of the light from above that comes from another patch of sky, or by another facet, in blue (F line)"
-        f" than in red (C line); patches of {LAMP:g} degrees, the size of a lamp"
+        f"our own: of what the stone shows of a lamp {LAMP:g} degrees across, anywhere above, the part that is there in blue"
+        " (F line) but not in red (C line)"
     ),
     "scintillation": (
-        f"our own: the part of the light from above that comes from another patch of sky, or by another facet, once the stone"
-        f" is tilted by {NUDGE:g} degrees; patches of {PATCH:g} degrees; the mean of both tilts"
+        f"our own: of what the stone shows of a window {WINDOW:g} degrees across, anywhere above, the part that goes out once"
+        f" the stone is tilted by {NUDGE:g} degrees; the mean of both tilts"
     ),
 }
 
@@ -67,14 +67,15 @@ def trace(
     bound: float | None = 1e-3,
     error: float | None = 1e-4,
     max_beams: int = BEAMS,
+    **options: Any,
 ) -> View:
     """The gem in a parallel view, tilted as in `Gem.picture`; `medium` takes the place of its own at 589.3 nm.
 
-    The rest is as in `icespar.view`.
+    The rest is as in `icespar.view`, as are `options`.
     """
     toward, up = tilted([[0, 0, 1], [0, 1, 0]], tilt)
     medium = gem.medium(D_LINE) if medium is None else medium
-    return view(gem.stone, medium, direction=-toward, up=up, bound=bound, error=error, max_beams=max_beams)
+    return view(gem.stone, medium, direction=-toward, up=up, bound=bound, error=error, max_beams=max_beams, **options)
 
 
 def numbers(seen: View, towards: NDArray[np.float64] | tuple[float, ...] = (0, 0, 1)) -> Numbers:

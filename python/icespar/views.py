@@ -55,6 +55,16 @@ class View:
         return self._full.direction
 
     @property
+    def fan(self) -> _Reals:
+        """By how much each direction moves, to first order, with the change `fan` of the permittivity, (N, 3)."""
+        return self._full.fan
+
+    @property
+    def turned(self) -> _Reals:
+        """By how much it moves per radian as the line of sight turns to picture-right, and to picture-up, (N, 2, 3)."""
+        return self._full.turned
+
+    @property
     def weight(self) -> _Reals:
         """What the viewer sees of unpolarised light of radiance 1 from there: (N,), or its Stokes vectors (N, 4)."""
         return self._full.weight if self._polarised else self._full.weight[:, 0]
@@ -208,6 +218,8 @@ def view(
     max_hits: int | None = None,
     stokes: bool = False,
     cutoff: Literal["gemray"] | None = None,
+    fan: ArrayLike | None = None,
+    turns: bool = False,
 ) -> View:
     """A stone seen along one direction from afar, by exact beams: every path through it is a polygon of the picture with
     one direction and one weight.
@@ -220,7 +232,8 @@ def view(
     axis or axes as in `Mineral.medium`. The stone is clear, unless it has a `colour` of `Mineral.colours`, or an `absorption`
     per unit of length (a colour's is per mm) for light polarised along each principal axis: one number, two (across the
     optic axis, along it), or three by rising index; a beam's weight is then its mean. `max_hits` ends each path after so many faces.
-    `stokes` keeps the polarisation. `cutoff="gemray"` traces as GemRay 1.2 does (no polarisation, ten faces, nothing below
+    `stokes` keeps the polarisation. `fan`, a change of the permittivity (3, 3), and `turns` keep how directions move with that
+    and with the line of sight. `cutoff="gemray"` traces as GemRay 1.2 does (no polarisation, ten faces, nothing below
     a thousandth), for comparison with its numbers; isotropic stones only.
     """
     if cutoff not in (None, "gemray"):
@@ -246,6 +259,8 @@ def view(
         seconds=time or 0.0,
         seed=seed,
         absorption=[] if absorption is None else np.atleast_1d(np.asarray(absorption, float)).tolist(),
+        fan=None if fan is None else np.asarray(fan, float),
+        turns=turns,
         **(_GEMRAY if cutoff else rules),
     )
     return View(stone, medium, direction, exits, stokes)

@@ -258,3 +258,42 @@ TEST_CASE("directions move with the permittivity as their fans say", "[views]") 
         CHECK(steepest > 1);
     }
 }
+
+TEST_CASE("directions move with the line of sight as their derivatives say", "[views]") {
+    const Stone stone = rhomb_stone();
+    const Vec3 axis = normalised(Vec3{0.3, 1, 0.5});
+    const Medium media[] = {Medium::isotropic(1.7), Medium::uniaxial(1.7, 1.55, axis),
+                            Medium::biaxial({1.55, 1.62, 1.7}, axis, any_perpendicular(axis))};
+    constexpr double step = 1e-7;
+    for (const Medium& medium : media) {
+        ViewOptions options = within(0, 0);
+        options.max_hits = 6;
+        options.turns = true;
+        const Exits middle = trace_view(stone, medium, {{0.2, 0.1, -1}}, options);
+        REQUIRE(middle.size() > 20);
+        double steepest = 0;
+        for (const std::size_t way : {0u, 1u}) {
+            const Vec3 turn = way == 0 ? middle.frame.right : middle.frame.up;
+            const Exits there =
+                trace_view(stone, medium, {middle.frame.direction + step * turn}, options);
+            for (std::size_t i = 0; i < middle.size(); ++i) {
+                if (middle.weight[i].s0 * middle.area[i] < 1e-6) continue;
+                const Vec3 moved = middle.turned[i][way],
+                           wanted = middle.direction[i] + step * moved;
+                double least = 1;
+                for (std::size_t j = 0; j < there.size(); ++j) {
+                    if (there.facet[j] != middle.facet[i] || there.hits[j] != middle.hits[i]) {
+                        continue;
+                    }
+                    least = std::min(least, length(there.direction[j] - wanted));
+                }
+                CAPTURE(way, i, middle.hits[i]);
+                // A grazing beam turns ever faster.
+                const double size = length(moved);
+                CHECK(least < 1e-5 * step * (1 + size * size * size));
+                steepest = std::max(steepest, size);
+            }
+        }
+        CHECK(steepest > 1);
+    }
+}
