@@ -84,6 +84,19 @@ RealTensor change_of(const py::array_t<double, py::array::c_style>& array) {
     return out;
 }
 
+py::array_t<double> images_of(const Exits& exits) {
+    py::array_t<double> out({exits.images.size(), std::size_t{2}, std::size_t{2}});
+    auto m = out.mutable_unchecked<3>();
+    for (py::ssize_t i = 0; i < m.shape(0); ++i) {
+        const PictureImage& image = exits.images[static_cast<std::size_t>(i)];
+        m(i, 0, 0) = image.right.x;
+        m(i, 1, 0) = image.right.y;
+        m(i, 0, 1) = image.up.x;
+        m(i, 1, 1) = image.up.y;
+    }
+    return out;
+}
+
 py::array weight_of(const py::object& self) {
     const auto& w = self.cast<const Exits&>().weight;
     return over(w.empty() ? nullptr : &w[0].s0, {static_cast<py::ssize_t>(w.size()), 4},
@@ -112,6 +125,7 @@ void bind_view(py::module_& module) {
         .def_property_readonly("direction", &direction_of)
         .def_property_readonly("fan", &fan_of)
         .def_property_readonly("turned", &turned_of)
+        .def_property_readonly("images", &images_of)
         .def_property_readonly("weight", &weight_of)
         .def_property_readonly("area", column(&Exits::area))
         .def_property_readonly("entry", column(&Exits::entry))

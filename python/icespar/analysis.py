@@ -1,8 +1,9 @@
 """The cutter's numbers of a gem at all tilts, with fire, scintillation and doubling, each with its bound and error."""
 
+import itertools
 import math
 import os
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Hashable, Iterable
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 
@@ -31,7 +32,7 @@ from .performance import (
 )
 from .views import View
 
-TILTED = 5.0  #: so much larger is the error that is asked of tilted views
+TILTED = 6.0  #: so much larger is the error that is asked of tilted views
 COARSE = 10.0  #: between wavelengths of tilted views of a coloured stone, nm; 5 face-up
 
 
@@ -105,6 +106,22 @@ def doubling(gem: Gem, tilt: tuple[float, float] = (0.0, 0.0)) -> Doubling:
     return Doubling(apart, math.degrees(math.atan2(apart, 250)) * 60)
 
 
+def tilt_about(axis: str, angle: float) -> tuple[float, float]:
+    return (angle, 0.0) if axis == "x" else (0.0, angle)
+
+
+def alike(gem: Gem, medium: Medium) -> Callable[[tuple[float, float]], tuple[float, ...]]:
+    """A name for each tilt, the same of those that turns and mirrors of the stone in this medium make of one another."""
+    images = trace(gem, medium=medium, bound=1.0, error=None).images
+
+    def name(tilt: tuple[float, float]) -> tuple[float, ...]:
+        x, y, z = frame_of(tilt)[2]
+        # 0 is never -0.
+        return min(tuple(float(c) for c in np.round([*(image @ (x, y)), z], 9) + 0.0) for image in images)
+
+    return name
+
+
 @dataclass
 class Analysis:
     """All that a report says of one gem."""
@@ -140,7 +157,8 @@ def analyse(
 ) -> Analysis:
     """Traces the gem face-up, until no more than `bound` of all light is left or many beams were followed, and samples the
     rest to the standard error `error`.
-    At each tilt about both axes numbers have an error of 5 `error`, whatever their bound.
+    At each tilt about both axes numbers have an error of 6 `error`, whatever their bound; of tilts that turns and mirrors
+    of the stone make one of another one is traced.
 
     Stones are clear. With `colour` there are the numbers of the coloured stone besides, as `icespar.coloured` defines them.
     """
@@ -150,16 +168,18 @@ def analyse(
     plain = gem.isotropic(D_LINE) if gem.birefringent else None
     found = Analysis(gem, {}, None, tilts)
     kinds = {"curves": True, "plain_curves": plain is not None, "coloured_curves": colour and len(tilts) > 1}
-    jobs = [
-        (curve, (t, 0.0) if axis == "x" else (0.0, t), axis)
-        for curve, wanted in kinds.items()
-        if wanted
-        for axis in "xy"
-        for t in tilts
-    ]
+    names = {"curves": alike(gem, gem.medium(D_LINE)), "plain_curves": alike(gem, plain) if plain else None}
+    jobs: dict[Hashable, list[tuple[str, str, int]]] = {}
+    for curve, axis in itertools.product((name for name, wanted in kinds.items() if wanted), "xy"):
+        getattr(found, curve)[axis] = [None] * len(tilts)
+        for i, t in enumerate(tilts):
+            tilt = tilt_about(axis, t)
+            name = names[curve](tilt) if names.get(curve) else (axis, i)
+            jobs.setdefault((curve, name), []).append((curve, axis, i))
 
-    def one(job):
-        curve, tilt, _ = job
+    def one(same):
+        curve, axis, i = same[0]
+        tilt = tilt_about(axis, tilts[i])
         if curve == "coloured_curves":
             return coloured(gem, tilt, COARSE, TILTED * error).luminous
         medium = plain if curve == "plain_curves" else gem.medium(D_LINE)
@@ -170,8 +190,9 @@ def analyse(
         straight = pool.submit(moving, gem, (0.0, 0.0), bound, error)
         tinted = pool.submit(coloured, gem, error=error) if colour else None
         without = pool.submit(trace, gem, medium=plain, bound=bound, error=error) if plain is not None else None
-        for done, (job, result) in enumerate(zip(jobs, pool.map(one, jobs), strict=True), 1):
-            getattr(found, job[0]).setdefault(job[2], []).append(result)
+        for done, (same, result) in enumerate(zip(jobs.values(), pool.map(one, jobs.values()), strict=True), 1):
+            for curve, axis, i in same:
+                getattr(found, curve)[axis][i] = result
             if progress:
                 progress(done / len(jobs))
         found.face_up.update(numbers(straight.result()) | changes(straight.result()))
@@ -181,6 +202,6 @@ def analyse(
             found.without = numbers(without.result())
     if plain is not None:
         found.doubled = {
-            axis: [doubling(gem, (t, 0.0) if axis == "x" else (0.0, t)) for t in tilts] for axis in "xy"
+            axis: [doubling(gem, tilt_about(axis, t)) for t in tilts] for axis in "xy"
         }
     return found

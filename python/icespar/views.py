@@ -103,6 +103,11 @@ class View:
         return self._exits.groups
 
     @property
+    def images(self) -> _Reals:
+        """Turns and mirrors of the picture's right and up that leave stone, crystal and view as they are, (G, 2, 2)."""
+        return self._exits.images
+
+    @property
     def facet_area(self) -> _Reals:
         """Of each facet of the stone in the picture, 0 where it is not seen, (F,)."""
         return self._exits.entry_area
