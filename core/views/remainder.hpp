@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 
 #include "math/random.hpp"
 #include "views/beam_queue.hpp"
@@ -48,20 +47,28 @@ public:
     /// Followed for each survivor, with what comes of it.
     static constexpr double beams_a_survivor = 5;
 
-    /// Of a queue with so much weight, about so many survivors.
-    Remainder(const BeamQueue<Beam>& queue, double weight, double survivors, std::uint64_t seed)
-        : random_(seed), least_(end * weight / groups), starts_(groups) {
-        const double threshold = weight * groups / std::max(survivors, 1.0 * groups * fewest);
+    /// Of a queue with so much weight, about so many survivors; of light that enters by `facet`
+    /// `times` as many as of others.
+    Remainder(const BeamQueue<Beam>& queue, double weight, double survivors, std::uint64_t seed,
+              int facet = -1, double times = 1)
+        : random_(seed),
+          facet_(facet),
+          times_(times),
+          least_(end * weight / groups),
+          starts_(groups) {
+        double ranks = 0;
+        queue.each([&](const Beam& b, PolygonView) { ranks += rank(b); });
+        const double threshold = ranks * groups / std::max(survivors, 1.0 * groups * fewest);
         threshold_ = threshold / groups;
         double light = 0;
         queue.each([&](const Beam& b, PolygonView) {
-            if (b.weight() < threshold) light += b.weight();
+            if (rank(b) < threshold) light += rank(b);
         });
         std::vector<Thinning> thinnings;
         for (int g = 0; g < groups; ++g) thinnings.emplace_back(light, threshold, random_);
         queue.each([&](const Beam& b, PolygonView polygon) {
             for (std::size_t g = 0; g < groups; ++g) {
-                const double gain = thinnings[g].gain(b.weight());
+                const double gain = thinnings[g].gain(rank(b));
                 if (gain > 0) keep(b, gain / groups, polygon, starts_[g]);
             }
         });
@@ -72,21 +79,24 @@ public:
     /// is left.
     template <class Advance>
     double follow(int group, Advance&& advance) {
-        constexpr double all = std::numeric_limits<double>::infinity();
         BeamList<Beam>& beams = starts_[static_cast<std::size_t>(group)];
         BeamList<Beam> children;
         bool more = true;
-        for (int i = 0; i < generations && more && total(beams, all) > least_; ++i) {
+        for (int i = 0; i < generations && more && total(beams) > least_; ++i) {
             children.clear();
             more = advance(beams, children);
             beams.clear();
-            Thinning thinning(total(children, threshold_), threshold_, random_);
+            double light = 0;
+            for (const Beam& b : children.beams) {
+                if (rank(b) < threshold_) light += rank(b);
+            }
+            Thinning thinning(light, threshold_, random_);
             children.each([&](const Beam& b, PolygonView polygon) {
-                const double gain = thinning.gain(b.weight());
+                const double gain = thinning.gain(rank(b));
                 if (gain > 0) keep(b, gain, polygon, beams);
             });
         }
-        return total(beams, all);
+        return total(beams);
     }
 
 private:
@@ -98,15 +108,19 @@ private:
         beam.gain *= gain;
         list.push(beam, polygon);
     }
-    static double total(const BeamList<Beam>& list, double below) {
+    static double total(const BeamList<Beam>& list) {
         double sum = 0;
-        for (const Beam& b : list.beams) {
-            if (b.weight() < below) sum += b.weight();
-        }
+        for (const Beam& b : list.beams) sum += b.weight();
         return sum;
+    }
+    /// What roulette takes for a beam's weight.
+    [[nodiscard]] double rank(const Beam& b) const {
+        return b.entry == facet_ ? times_ * b.weight() : b.weight();
     }
 
     Random random_;
+    int facet_;
+    double times_;
     double least_, threshold_ = 0;
     std::vector<BeamList<Beam>> starts_;
 };

@@ -62,6 +62,8 @@ struct ViewOptions {
     /// about this standard error, but by no more beams than `sample_effort` times those that were
     /// followed exactly; 0: it is left.
     double error = 0, sample_effort = 1;
+    /// Of light that enters by this facet, too, alone and as a part of its area.
+    std::optional<int> error_of{};
     std::uint64_t seed = 0;  ///< of the sample
     double least_power = 0;  ///< fainter light is not followed on from a face where part of it left
     bool symmetry = true;    ///< trace once what images of one another would repeat

@@ -37,7 +37,8 @@ public:
           colours_(medium, absorption),
           frame_(frame),
           options_(options),
-          out_(out) {}
+          out_(out),
+          facet_(options.error_of.value_or(-1)) {}
 
     void run() {
         frame_.centre = cells_.facets().centre();
@@ -58,12 +59,14 @@ public:
         }
         while (wants_more() && may_go_on() && queue_.pop(beam_, polygon_)) {
             waiting_ -= beam_.weight();
+            if (beam_.entry == facet_) waiting_there_ -= beam_.weight();
             ++out_.beams;
             advance();
         }
-        waiting_ = 0;
+        waiting_ = waiting_there_ = 0;
         queue_.each([&](const Beam& b, PolygonView) {
             waiting_ += b.weight();
+            if (b.entry == facet_) waiting_there_ += b.weight();
             give_up(b.entry, b.weight());
         });
         out_.residue = out_.untraced;
@@ -123,14 +126,22 @@ private:
     /// Radiances from 0 to 1 have a standard deviation of a half at most.
     [[nodiscard]] double survivors_wanted() const {
         const double ratio = 0.5 * waiting_ / (options_.error * out_.area_total);
-        return ratio * ratio;
+        return ratio * ratio * (1 + (times_there() - 1) * waiting_there_ / waiting_);
+    }
+
+    /// As many times the survivors of a facet's light, for its weight, as its own error needs.
+    [[nodiscard]] double times_there() const {
+        if (facet_ < 0 || !(waiting_there_ > 0)) return 1;
+        const double part = out_.entry_area[static_cast<std::size_t>(facet_)] / out_.area_total;
+        return std::max(1.0, waiting_there_ / (waiting_ * part * part));
     }
 
     /// A few of the beams that are left go on for all of them.
     void sample() {
         const double most =
             options_.sample_effort * static_cast<double>(out_.beams) / Sample::beams_a_survivor;
-        Sample rest(queue_, waiting_, std::min(survivors_wanted(), most), options_.seed);
+        Sample rest(queue_, waiting_, std::min(survivors_wanted(), most), options_.seed, facet_,
+                    times_there());
         out_.groups = Sample::groups;
         out_.residue -= waiting_;
         const std::uint64_t before = out_.beams;
@@ -424,6 +435,7 @@ private:
         const PolygonView polygon = beam_.hits == 1 ? polygon_ : piece_;
         if (group_ > 0) return children_->push(beam_, polygon);
         waiting_ += weight;
+        if (beam_.entry == facet_) waiting_there_ += weight;
         queue_.push(beam_, weight / out_.area_total, polygon);
     }
 
@@ -485,6 +497,8 @@ private:
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
     double diameter_ = 0;                 ///< at least the stone's
     double waiting_ = 0;                  ///< weight times area of what is in the queue
+    int facet_ = -1;                      ///< whose own error is asked for
+    double waiting_there_ = 0;            ///< of that, what entered there
     int group_ = 0;                       ///< that is being sampled
     BeamList<Beam>* children_ = nullptr;  ///< where its beams go on
     bool stopped_ = false;                ///< by go_on

@@ -151,7 +151,8 @@ void bind_view(py::module_& module) {
            const py::object& up, Weights weights, std::optional<double> bound, double error,
            std::uint64_t max_beams, double seconds, std::uint64_t seed, int max_hits,
            double least_power, const std::vector<double>& absorption,
-           const std::optional<py::array_t<double, py::array::c_style>>& fan, bool turns) {
+           const std::optional<py::array_t<double, py::array::c_style>>& fan, bool turns,
+           std::optional<int> error_of) {
             ViewOptions options;
             options.weights = weights;
             options.bound = bound;
@@ -163,11 +164,12 @@ void bind_view(py::module_& module) {
             options.least_power = least_power;
             if (fan) options.fan = change_of(*fan);
             options.turns = turns;
+            options.error_of = error_of;
             return traced(stone, medium, direction, up, absorption, std::move(options));
         },
         "stone"_a, "medium"_a, py::kw_only(), "direction"_a, "up"_a, "weights"_a, "bound"_a,
         "error"_a, "max_beams"_a, "seconds"_a, "seed"_a, "max_hits"_a, "least_power"_a,
-        "absorption"_a, "fan"_a, "turns"_a);
+        "absorption"_a, "fan"_a, "turns"_a, "error_of"_a);
     module.def("light_return", &returned, "exits"_a, "dome"_a, "zenith"_a, "head"_a, "facet"_a);
     module.def("table_facet", &table_facet, "stone"_a);
 }

@@ -459,6 +459,7 @@ def trace_view(
     absorption: Sequence[float],
     fan: NDArray[np.float64] | None,
     turns: bool,
+    error_of: int | None,
 ) -> Exits: ...
 def light_return(
     exits: Exits, dome: Dome, zenith: NDArray[np.float64], head: float, facet: int | None

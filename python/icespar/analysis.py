@@ -32,7 +32,7 @@ from .performance import (
 )
 from .views import View
 
-TILTED = 6.0  #: so much larger is the error that is asked of tilted views
+TILTED = 12.0  #: so much larger is the error that is asked of tilted views
 COARSE = 10.0  #: between wavelengths of tilted views of a coloured stone, nm; 5 face-up
 
 
@@ -49,7 +49,7 @@ def scintillation(gem: Gem, tilt: tuple[float, float] = (0.0, 0.0), bound: float
 def moving(gem: Gem, tilt: tuple[float, float], bound: float | None, error: float | None) -> View:
     """The gem's view, with how directions move from red (C line) to blue (F line) and as it is tilted."""
     blue, red = (np.real(gem.medium(nm).permittivity) for nm in (F_LINE, C_LINE))
-    return trace(gem, tilt, None, bound, error, fan=blue - red, turns=True)
+    return trace(gem, tilt, None, bound, error, fan=blue - red, turns=True, table_error=True)
 
 
 def changes(seen: View, tilt: tuple[float, float] = (0.0, 0.0)) -> Numbers:
@@ -157,7 +157,7 @@ def analyse(
 ) -> Analysis:
     """Traces the gem face-up, until no more than `bound` of all light is left or many beams were followed, and samples the
     rest to the standard error `error`.
-    At each tilt about both axes numbers have an error of 6 `error`, whatever their bound; of tilts that turns and mirrors
+    At each tilt about both axes numbers, also of the table, have an error of about 12 `error`, whatever their bound; of tilts that turns and mirrors
     of the stone make one of another one is traced.
 
     Stones are clear. With `colour` there are the numbers of the coloured stone besides, as `icespar.coloured` defines them.
@@ -183,7 +183,7 @@ def analyse(
         if curve == "coloured_curves":
             return coloured(gem, tilt, COARSE, TILTED * error).luminous
         medium = plain if curve == "plain_curves" else gem.medium(D_LINE)
-        return numbers(trace(gem, tilt, medium, None, TILTED * error), frame_of(tilt)[2])
+        return numbers(trace(gem, tilt, medium, None, TILTED * error, table_error=True), frame_of(tilt)[2])
 
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         # The longest jobs first.

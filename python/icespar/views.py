@@ -225,6 +225,7 @@ def view(
     cutoff: Literal["gemray"] | None = None,
     fan: ArrayLike | None = None,
     turns: bool = False,
+    table_error: bool = False,
 ) -> View:
     """A stone seen along one direction from afar, by exact beams: every path through it is a polygon of the picture with
     one direction and one weight.
@@ -238,7 +239,7 @@ def view(
     per unit of length (a colour's is per mm) for light polarised along each principal axis: one number, two (across the
     optic axis, along it), or three by rising index; a beam's weight is then its mean. `max_hits` ends each path after so many faces.
     `stokes` keeps the polarisation. `fan`, a change of the permittivity (3, 3), and `turns` keep how directions move with that
-    and with the line of sight. `cutoff="gemray"` traces as GemRay 1.2 does (no polarisation, ten faces, nothing below
+    and with the line of sight. `table_error` asks for the error of the table alone, too. `cutoff="gemray"` traces as GemRay 1.2 does (no polarisation, ten faces, nothing below
     a thousandth), for comparison with its numbers; isotropic stones only.
     """
     if cutoff not in (None, "gemray"):
@@ -266,6 +267,7 @@ def view(
         absorption=[] if absorption is None else np.atleast_1d(np.asarray(absorption, float)).tolist(),
         fan=None if fan is None else np.asarray(fan, float),
         turns=turns,
+        error_of=_core.table_facet(stone) if table_error else None,
         **(_GEMRAY if cutoff else rules),
     )
     return View(stone, medium, direction, exits, stokes)

@@ -41,3 +41,23 @@ def test_curves_keep_the_order_of_their_tilts(root):
             assert curve[0] == curve[2] != curve[1]
     assert found.curves["x"] != found.curves["y"]
     assert found.plain_curves["x"] == found.plain_curves["y"]
+
+
+def test_the_table_alone_has_the_error_asked_for_if_that_is_wanted(root):
+    gem, tilt = gem_of(root, (1, 0, 0)), (20.0, 0.0)
+    zenith, asked = frame_of(tilt)[2], 4e-3
+
+    def found(table, seen):
+        return seen.light_return("cosine", zenith=zenith, table=table)
+
+    truth = trace(gem, tilt, bound=1e-3, error=1e-4)
+    samples = [
+        [trace(gem, tilt, None, None, asked, table_error=wanted, seed=seed) for seed in range(20)] for wanted in (True, False)
+    ]
+    for table in (True, False):
+        here = [found(table, seen) for seen in samples[0]]
+        off, errors = [abs(n.value - found(table, truth).value) for n in here], [n.error for n in here]
+        assert sum(o <= 2 * e for o, e in zip(off, errors, strict=True)) >= 16
+        assert 0.1 * asked < sum(errors) / 20 < 1.3 * asked
+    of_table = [sum(found(True, seen).error for seen in some) for some in samples]
+    assert of_table[1] > 1.5 * of_table[0]
