@@ -1,9 +1,10 @@
 // Fresnel's (1823) equations between two isotropic media, as beams need them.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
-#include "math/vec3.hpp"
+#include "beams/expansion.hpp"
 
 namespace icespar {
 
@@ -36,6 +37,18 @@ struct Fresnel {
         out.r_p = 1;
     }
     return out;
+}
+
+/// What passes a face goes with the part of the outer k along the normal, whose square is 0 at the
+/// critical angle: whether that changes over a polygon by more than so much of its value.
+[[nodiscard]] inline bool near_critical(const Expansion& k, PolygonView polygon, const Vec3& normal,
+                                        double n_beyond, double most) {
+    const Vec3 along = k.value - dot(normal, k.value) * normal;
+    const double square = n_beyond * n_beyond - dot(along, along);
+    const double dx = 2 * dot(along, k.dx), dy = 2 * dot(along, k.dy);
+    const double least = most * std::abs(square);
+    return std::any_of(polygon.begin(), polygon.end(),
+                       [&](const Point2& p) { return std::abs(dx * p.x + dy * p.y) > least; });
 }
 
 /// A response about another s, of any length. At normal incidence any s will do.

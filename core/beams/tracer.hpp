@@ -11,25 +11,12 @@
 #include "beams/facet_search.hpp"
 #include "beams/fresnel.hpp"
 #include "beams/index_surface.hpp"
+#include "beams/leaf.hpp"
 #include "beams/response.hpp"
 #include "crystal/loss.hpp"
 #include "interface/inner_face.hpp"
 
 namespace icespar {
-
-/// Light that leaves the stone (or is thrown back by its outside) towards the surroundings.
-template <class Response>
-struct Leaf {
-    PolygonView polygon;  ///< corners relative to `centre`, which is its centroid
-    Point2 centre;        ///< in pixels, from the pixel's centre
-    double area = 0;      ///< in pixels
-    Expansion position;   ///< on the facet, relative to the stone's centre
-    Expansion k;          ///< unit wave vector in the air
-    Vec3 fan;             ///< dk/dc over the colours c of a spectral tracer
-    Vec3 s;               ///< along the response's s, of any length; its p is k x s
-    typename Response::Pair response;
-    int facet = 0, hits = 0;
-};
 
 /// Follows what enters a stone through a polygon of a pixel, depth first. The sink decides and
 /// collects:
@@ -252,7 +239,7 @@ private:
             there = arrival(beam_.position, flow, normal, t);
         }
         const Lengths lengths = lengths_to(flow, normal, t);
-        if (uneven(normal, lengths, sink)) return part_by_pixel();
+        if (uneven(normal, lengths, sink) && part_by_pixel()) return;
         if constexpr (absorbing) absorb(lengths, sink);
         beam_.position = there;
         ++beam_.hits;
@@ -262,26 +249,14 @@ private:
         meet(normal, sink);
     }
 
-    /// Whether power changes so much over a beam in several pixels that each needs its own: by the
-    /// face ahead or, in a stone of a colour, on the way there.
+    /// Whether power changes so much over a beam that each of its pixels needs its own: by the face
+    /// ahead or, in a stone of a colour, on the way there.
     template <class Sink>
     [[nodiscard]] bool uneven(const Vec3& normal, const Lengths& lengths, Sink& sink) const {
         if (block_.count() == 1) return false;
         const double most = tolerance_ / beam_.response.power();
-        if (!near_critical(normal, most) && !fades_unevenly(lengths, most, sink)) return false;
-        return !block_.span(polygon_, beam_.centre).one();
-    }
-
-    /// What passes goes with the part of the outer k along the normal, whose square is 0 at the
-    /// critical angle: whether that changes over the beam by more than so much of its value.
-    [[nodiscard]] bool near_critical(const Vec3& normal, double most) const {
-        const Expansion& k = beam_.k;
-        const Vec3 along = k.value - dot(normal, k.value) * normal;
-        const double square = air_.n_o * air_.n_o - dot(along, along);
-        const double dx = 2 * dot(along, k.dx), dy = 2 * dot(along, k.dy);
-        const double least = most * std::abs(square);
-        return std::any_of(polygon_.begin(), polygon_.end(),
-                           [&](const Point2& p) { return std::abs(dx * p.x + dy * p.y) > least; });
+        return near_critical(beam_.k, polygon_, normal, air_.n_o, most) ||
+               fades_unevenly(lengths, most, sink);
     }
 
     template <class Sink>
@@ -301,9 +276,11 @@ private:
         }
     }
 
-    /// Starts again with what is on either side of a line between pixels.
-    void part_by_pixel() {
+    /// Starts again with what is on either side of a line between pixels. False where there is
+    /// none.
+    [[nodiscard]] bool part_by_pixel() {
         const Block::Span over = block_.span(polygon_, beam_.centre);
+        if (over.one()) return false;
         const bool wide = over.x1 - over.x0 >= over.y1 - over.y0;
         split(polygon_,
               wide ? block_.right_of((over.x0 + over.x1) / 2, beam_.centre)
@@ -313,6 +290,7 @@ private:
             Beam side = beam_;
             if (recentre(side, *part)) push(side, *part);
         }
+        return true;
     }
 
     /// Of the beam, on the way along `flow` to a plane that is `t` away. What grazes a facet may be
