@@ -131,12 +131,13 @@ Estimate estimate_of(std::span<const double> sums) {
     Estimate out{sums[0]};
     const std::span<const double> groups = sums.subspan(1);
     if (groups.empty()) return out;
-    double sum = 0, squares = 0;
-    for (const double s : groups) sum += s;
-    const double count = static_cast<double>(groups.size()), mean = sum / count;
-    for (const double s : groups) squares += (s - mean) * (s - mean);
-    out.value += sum;
-    out.error = std::sqrt(squares * count / (count - 1));
+    double squares = 0;
+    for (std::size_t i = 0; i + 1 < groups.size(); i += 2) {
+        const double apart = groups[i] - groups[i + 1];
+        out.value += groups[i] + groups[i + 1];
+        squares += apart * apart;
+    }
+    out.error = std::sqrt(squares);
     return out;
 }
 

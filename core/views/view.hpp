@@ -52,15 +52,16 @@ enum class Weights { intensity, stokes, averaged };
 struct ViewOptions {
     Weights weights = Weights::intensity;
     /// Exact tracing ends when no more than this part of all light is left untraced. Without it,
-    /// when a sample of the rest has the `error` asked for and costs no more than what was done.
+    /// when a sample of the rest has the `error` asked for and takes about as long as what was
+    /// done.
     std::optional<double> bound = 1e-3;
     /// Or when so many beams were followed to their next facets; 0: no bound of this kind.
     std::uint64_t max_beams = 2'000'000;
     double seconds = 0;  ///< or after this time; 0: no bound of this kind
     int max_hits = 0;    ///< interface events of a path, the entry being the first; 0: any number
-    /// What is left is then sampled, in groups, so that radiances from 0 to 1 add up to within
-    /// about this standard error, but by no more beams than `sample_effort` times those that were
-    /// followed exactly; 0: it is left.
+    /// What is left is then sampled, by beams if outlines are asked for and by the paths of single
+    /// rays else, so that radiances from 0 to 1 add up to within about this standard error, but for
+    /// no longer than about `sample_effort` times what was followed exactly took; 0: it is left.
     double error = 0, sample_effort = 1;
     /// Of light that enters by this facet, too, alone and as a part of its area.
     std::optional<int> error_of{};
@@ -129,10 +130,10 @@ struct Exits {
     std::vector<double> area;  ///< in the picture, in the stone's units of length squared
     std::vector<std::int32_t> entry, facet;  ///< where it meets the stone, and where it leaves it
     std::vector<std::int32_t> hits;          ///< interface events, both included
-    /// 0: followed exactly. 1 to `groups`: found in that group of the sample; the groups are alike
-    /// but for chance, their weights are for all of them together.
+    /// 0: followed exactly. 1 to `groups`: found in that group of the sample; the groups 2 n - 1
+    /// and 2 n are alike but for chance, the weights are for all groups together.
     std::vector<std::int32_t> group;
-    int groups = 0;  ///< 0: the rest was not sampled
+    int groups = 0;  ///< even; 0: the rest was not sampled
 
     /// In the picture, if they were asked for: beam i has corners outline[i] to outline[i + 1].
     std::vector<std::size_t> outline;

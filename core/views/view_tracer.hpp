@@ -13,6 +13,7 @@
 #include "views/beam_queue.hpp"
 #include "views/colours.hpp"
 #include "views/facet_cells.hpp"
+#include "views/path_starts.hpp"
 #include "views/remainder.hpp"
 #include "views/symmetry.hpp"
 #include "views/transmission.hpp"
@@ -38,7 +39,8 @@ public:
           frame_(frame),
           options_(options),
           out_(out),
-          facet_(options.error_of.value_or(-1)) {}
+          facet_(options.error_of.value_or(-1)),
+          random_(options.seed) {}
 
     void run() {
         frame_.centre = cells_.facets().centre();
@@ -70,12 +72,23 @@ public:
             give_up(b.entry, b.weight());
         });
         out_.residue = out_.untraced;
-        if (options_.error > 0 && waiting_ > 0 && !stopped_) sample();
+        if (options_.error > 0 && waiting_ > 0 && !stopped_) {
+            out_.residue -= waiting_;
+            const std::uint64_t before = out_.beams;
+            if (options_.outlines) {
+                sample();
+            } else {
+                walk();
+            }
+            out_.sampled = out_.beams - before;
+        }
         unfold();
     }
 
 private:
     static constexpr unsigned beams_between_looks = 4096;
+    static constexpr double beams_a_path = 2;  ///< that take as long
+    static constexpr int longest_path = 5000;  ///< in faces
 
     using Pair = typename Response::Pair;
     template <class R, bool>
@@ -107,6 +120,16 @@ private:
     };
     using Sample = Remainder<Beam>;
 
+    /// What goes on for all of a path's light at a face.
+    struct Drawn {
+        double power = 0;  ///< of all
+        bool leaves = false, thinned = false;
+        Vec3 k, s;  ///< where it leaves the stone
+        Moves moves;
+        Pair light;
+        Beam next;  ///< else
+    };
+
     [[nodiscard]] bool may_go_on() {
         if (options_.max_beams > 0 && out_.beams >= options_.max_beams) return false;
         if (out_.beams % beams_between_looks != 0) return true;
@@ -118,9 +141,12 @@ private:
 
     void look() { stopped_ = stopped_ || (options_.go_on && !options_.go_on()); }
 
+    /// As little light is left as was asked for, or sampling it takes no longer than what was done;
+    /// paths may take twice as long, since that is least in crystals.
     [[nodiscard]] bool wants_more() const {
         if (options_.bound) return waiting_ > *options_.bound * out_.area_total;
-        return Sample::beams_a_survivor * survivors_wanted() > static_cast<double>(out_.beams);
+        const double each = options_.outlines ? Sample::beams_a_survivor : 0.5 * beams_a_path;
+        return each * survivors_wanted() > static_cast<double>(out_.beams);
     }
 
     /// Radiances from 0 to 1 have a standard deviation of a half at most.
@@ -143,8 +169,6 @@ private:
         Sample rest(queue_, waiting_, std::min(survivors_wanted(), most), options_.seed, facet_,
                     times_there());
         out_.groups = Sample::groups;
-        out_.residue -= waiting_;
-        const std::uint64_t before = out_.beams;
         for (group_ = 1; group_ <= Sample::groups; ++group_) {
             out_.residue +=
                 rest.follow(group_ - 1, [&](const BeamList<Beam>& beams, BeamList<Beam>& children) {
@@ -164,7 +188,104 @@ private:
                     return !stopped_;
                 });
         }
-        out_.sampled = out_.beams - before;
+    }
+
+    /// Paths of single rays, each from a point of a beam that is left, go on for all of them.
+    void walk() {
+        walking_ = true;
+        out_.groups = PathStarts::groups;
+        const double most = options_.sample_effort * static_cast<double>(out_.beams) / beams_a_path;
+        const double times = times_there(), elsewhere = waiting_ - waiting_there_;
+        const double paths = std::max(std::min(survivors_wanted(), most), PathStarts::fewest) /
+                             (elsewhere + times * waiting_there_);
+        PathStarts others(elsewhere, paths * elsewhere, random_),
+            there(waiting_there_, paths * times * waiting_there_, random_);
+        queue_.each([&](const Beam& b, PolygonView polygon) {
+            PathStarts& starts = b.entry == facet_ ? there : others;
+            for (int n = starts.of(b.weight()); n > 0; --n) {
+                group_ = starts.group();
+                walk(b, polygon, starts.spacing());
+            }
+        });
+    }
+
+    /// At each face one of what becomes of the light goes on for all of it, by its power.
+    void walk(const Beam& start, PolygonView polygon, double weight) {
+        beam_ = start;
+        begin_at(polygon);
+        power_ = beam_.response.power();
+        beam_.response.scale(weight / beam_.weight());
+        for (int i = 0; i < longest_path && !stopped_; ++i) {
+            if (++out_.beams % beams_between_looks == 0) look();
+            if (!step(weight)) return;
+        }
+        out_.residue += weight;
+    }
+
+    /// From the beam to one of its rays, by their light.
+    void begin_at(PolygonView polygon) {
+        const auto anywhere = [&] {
+            const double u = random_.uniform();
+            return point_in(polygon, u, random_.uniform());
+        };
+        Point2 p = anywhere();
+        if constexpr (absorbing) {
+            const auto passed = [&](const Point2& q) {
+                return colours_.transmit({&q, 1}, beam_.lengths);
+            };
+            // Convex: nowhere more than in a corner.
+            double most = 0;
+            for (const Point2& corner : polygon) most = std::max(most, passed(corner));
+            while (random_.uniform() * most > (beam_.passed = passed(p))) p = anywhere();
+            for (Affine& l : beam_.lengths) l = {l(p), 0, 0};
+        }
+        beam_.place = {beam_.place.at(p), {}, {}};
+        piece_.assign(1, {});
+    }
+
+    /// To the next face of a path that carries so much; false where it ends.
+    bool step(double weight) {
+        const Vec3 along = flow();
+        double t = 0;
+        const int facet = cells_.facets().exit(beam_.place.origin, along, beam_.left, t);
+        if (facet < 0) return lose(weight);
+        beam_.place.origin = beam_.place.origin + t * along;
+        beam_.left = facet;
+        ++beam_.hits;
+        if constexpr (absorbing) {
+            const double before = beam_.passed;
+            growth(along);
+            absorb(piece_, {t, 0, 0});
+            if (random_.uniform() * before >= beam_.passed) {
+                out_.absorbed += weight;
+                return false;
+            }
+        }
+        drawn_.power = 0;
+        meet(cells_.facets().normal(facet));
+        if (!(drawn_.power > 0)) return lose(weight);
+        if (drawn_.leaves) {
+            drawn_.light.scale(weight / (beam_.area * beam_.passed * drawn_.light.power()));
+            record(drawn_.k, drawn_.moves, drawn_.s, drawn_.light);
+            return false;
+        }
+        beam_ = drawn_.next;
+        power_ *= beam_.response.power() / drawn_.power;
+        beam_.response.scale(weight / beam_.weight());
+        if (!ends(drawn_.thinned, power_)) return true;
+        cut(weight);
+        return false;
+    }
+
+    bool lose(double weight) {
+        out_.residue += weight;
+        return false;
+    }
+
+    /// Whether what is drawn of a path's light at a face is this, as far as is known.
+    bool draws(double power) {
+        drawn_.power += power;
+        return random_.uniform() * drawn_.power < power;
     }
 
     /// One sector of a symmetric view is enough.
@@ -301,7 +422,7 @@ private:
             beam_.left = piece.facet;
             ++beam_.hits;
             piece_ = piece.polygon;
-            if constexpr (absorbing) left += absorb(piece);
+            if constexpr (absorbing) left += absorb(piece_, piece.distance);
             meet(cells_.facets().normal(piece.facet));
         }
         const double gap = std::abs(before.area - met);
@@ -325,14 +446,13 @@ private:
     }
 
     /// On the way of beam_ to its facet; what of its area's light arrives there.
-    double absorb(const FacetCells::Piece& piece) {
-        const Affine& t = piece.distance;
+    double absorb(PolygonView polygon, const Affine& t) {
         for (std::size_t i = 0; i < beam_.lengths.size(); ++i) {
             Affine& l = beam_.lengths[i];
             const double rate = growth_[i];
             l = {l.value + rate * t.value, l.dx + rate * t.dx, l.dy + rate * t.dy};
         }
-        beam_.passed = colours_.transmit(piece.polygon, beam_.lengths);
+        beam_.passed = colours_.transmit(polygon, beam_.lengths);
         return beam_.area * beam_.passed;
     }
 
@@ -430,8 +550,14 @@ private:
     void send(bool thinned) {
         const double power = beam_.response.power(), weight = beam_.weight();
         if (!(weight > 0)) return;
-        const bool ends = options_.max_hits > 0 && beam_.hits >= options_.max_hits;
-        if (ends || (thinned && beam_.passed * power < options_.least_power)) return cut(weight);
+        if (walking_) {
+            if (!draws(power)) return;
+            drawn_.leaves = false;
+            drawn_.thinned = thinned;
+            drawn_.next = beam_;
+            return;
+        }
+        if (ends(thinned, power)) return cut(weight);
         const PolygonView polygon = beam_.hits == 1 ? polygon_ : piece_;
         if (group_ > 0) return children_->push(beam_, polygon);
         waiting_ += weight;
@@ -439,8 +565,24 @@ private:
         queue_.push(beam_, weight / out_.area_total, polygon);
     }
 
+    /// Whether a path ends here by what was asked for; `thinned`: where part of the light left.
+    [[nodiscard]] bool ends(bool thinned, double power) const {
+        return (options_.max_hits > 0 && beam_.hits >= options_.max_hits) ||
+               (thinned && beam_.passed * power < options_.least_power);
+    }
+
     /// `s` is across k, of any length.
     void leave(const Vec3& k, const Moves& moves, const Vec3& s, const Pair& response) {
+        if (!walking_) return record(k, moves, s, response);
+        if (!draws(response.power())) return;
+        drawn_.leaves = true;
+        drawn_.k = k;
+        drawn_.s = s;
+        drawn_.moves = moves;
+        drawn_.light = response;
+    }
+
+    void record(const Vec3& k, const Moves& moves, const Vec3& s, const Pair& response) {
         const double share = beam_.passed * beam_.gain;
         out_.direction.push_back(normalised(k));
         const auto known = [](const Vec3& v) { return is_finite(v) ? v : Vec3{}; };
@@ -504,6 +646,10 @@ private:
     bool stopped_ = false;                ///< by go_on
     Beam beam_{};
     Polygon polygon_, piece_;
+    Random random_;
+    bool walking_ = false;  ///< along paths
+    Drawn drawn_{};
+    double power_ = 0;  ///< of a path's light without what it carries for others
 };
 
 }  // namespace icespar

@@ -5,7 +5,7 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .views import LightReturn, View
+from .views import LightReturn, View, spread
 
 _Reals = NDArray[np.float64]
 
@@ -40,5 +40,5 @@ def _ratio(light: _Reals, part: _Reals, untraced: float, residue: float) -> Ligh
     bound = float(max(high - value, value - low))
     if not count or not total > 0:
         return LightReturn(value, bound, bound)
-    spread = math.sqrt(np.var(part[1:] - value * light[1:], ddof=1) * count)
-    return LightReturn(value, bound, min(bound, (spread + residue) / total))
+    error = spread(part[1:] - value * light[1:])
+    return LightReturn(value, bound, min(bound, (error + residue) / total))

@@ -93,7 +93,8 @@ class View:
     def group(self) -> NDArray[np.int32]:
         """0 for a beam that was followed exactly; else the number of its group in the sample of the rest, (N,).
 
-        The groups, 1 to `groups`, are alike but for chance: how their sums vary tells the error of a sum over all.
+        The groups 2 n - 1 and 2 n, up to `groups`, are alike but for chance: how the sums of a pair differ tells the error
+        of a sum over all.
         """
         return self._full.group
 
@@ -187,12 +188,17 @@ class View:
         bound = float(greatest * untraced / area)
         if not groups:
             return LightReturn(float(exact / area), bound, bound)
-        error = math.sqrt(np.var(groups, ddof=1) * len(groups)) + greatest * self._exits.residue
+        error = spread(groups) + greatest * self._exits.residue
         value = exact + min(sum(groups), greatest * untraced)
         return LightReturn(float(value / area), bound, min(bound, float(error / area)))
 
     def __repr__(self) -> str:
         return f"<View of {self.stone!r}, untraced {self.untraced:.2g}>"
+
+
+def spread(groups: Sequence[float] | _Reals) -> float:
+    """One standard error of the sum over all groups of a sample, from how the two of each pair differ."""
+    return float(np.linalg.norm(np.subtract(groups[::2], groups[1::2])))
 
 
 def _medium(material: Medium | Mineral | str, wavelength_nm: float, axis: ArrayLike | None, axes: ArrayLike | None) -> Medium:
@@ -231,9 +237,9 @@ def view(
     one direction and one weight.
 
     The heaviest beams are followed first, until no more than `bound` of all light is left, or `max_beams` or `time`
-    (seconds) are used up; what is left bounds the error of every number. It is then sampled (systematic roulette by weight), so
+    (seconds) are used up; what is left bounds the error of every number. It is then sampled (by paths of single rays), so
     that sums of radiances from 0 to 1 have about the standard error `error`, but for no longer than the exact part took. None as
-    the bound ends that part when sampling the rest to `error` costs no more; None as the error samples nothing, so that
+    the bound ends that part when sampling the rest to `error` takes about as long; None as the error samples nothing, so that
     the truth lies between each value and value + bound. A mineral is taken at `wavelength_nm`, with its optic
     axis or axes as in `Mineral.medium`. The stone is clear, unless it has a `colour` of `Mineral.colours`, or an `absorption`
     per unit of length (a colour's is per mm) for light polarised along each principal axis: one number, two (across the

@@ -25,7 +25,7 @@ def test_tilts_of_one_name_have_the_same_numbers_and_others_do_not(root):
     name = alike(gem, gem.medium())
 
     def apart(a, b):
-        found = [numbers(trace(gem, tilt, None, None, 1e-3), frame_of(tilt)[2]) for tilt in (a, b)]
+        found = [numbers(trace(gem, tilt, None, None, 7e-4), frame_of(tilt)[2]) for tilt in (a, b)]
         pairs = [(found[0][key], found[1][key]) for key in found[0]]
         return max(abs(one.value - other.value) / math.hypot(one.error, other.error, 0.01) for one, other in pairs)
 

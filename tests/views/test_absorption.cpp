@@ -47,6 +47,7 @@ TEST_CASE("light that runs along two faces of a coloured cube does not grow", "[
         options.bound = {};
         options.error = 2e-3;
         options.sample_effort = 4;
+        options.outlines = i % 2 == 0;  // by beams; else by paths
         options.seed = static_cast<std::uint64_t>(i);
         // Nothing may make it last.
         int looks = 0;
@@ -73,6 +74,7 @@ TEST_CASE("light that a crystal cube keeps for thousands of faces stays as much 
     options.bound = {};
     options.error = 1e-4;
     options.max_beams = 50'000;
+    options.outlines = GENERATE(false, true);
     int looks = 0;
     options.go_on = [&] { return ++looks < 2000; };
     const Exits e = trace_view(cube_stone(), Medium::uniaxial(1.925, 1.984, {1, 0, 0}),
