@@ -60,8 +60,9 @@ struct ViewOptions {
     double seconds = 0;  ///< or after this time; 0: no bound of this kind
     int max_hits = 0;    ///< interface events of a path, the entry being the first; 0: any number
     /// What is left is then sampled, by beams if outlines are asked for and by the paths of single
-    /// rays else, so that radiances from 0 to 1 add up to within about this standard error, but for
-    /// no longer than about `sample_effort` times what was followed exactly took; 0: it is left.
+    /// rays else, so that radiances from 0 to 1 add up to within about this standard error, but by
+    /// no more beams or paths than `sample_effort` times those that were followed exactly; 0: it is
+    /// left.
     double error = 0, sample_effort = 1;
     /// Of light that enters by this facet, too, alone and as a part of its area.
     std::optional<int> error_of{};

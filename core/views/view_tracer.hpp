@@ -87,7 +87,6 @@ public:
 
 private:
     static constexpr unsigned beams_between_looks = 4096;
-    static constexpr double beams_a_path = 2;  ///< that take as long
     static constexpr int longest_path = 5000;  ///< in faces
 
     using Pair = typename Response::Pair;
@@ -141,11 +140,12 @@ private:
 
     void look() { stopped_ = stopped_ || (options_.go_on && !options_.go_on()); }
 
-    /// As little light is left as was asked for, or sampling it takes no longer than what was done;
-    /// paths may take twice as long, since that is least in crystals.
+    /// As little light is left as was asked for, or sampling it takes about as long as what was
+    /// done. A path takes as long as two beams, but since light is lost slowly when many were
+    /// followed, the whole takes least at about one path for each.
     [[nodiscard]] bool wants_more() const {
         if (options_.bound) return waiting_ > *options_.bound * out_.area_total;
-        const double each = options_.outlines ? Sample::beams_a_survivor : 0.5 * beams_a_path;
+        const double each = options_.outlines ? Sample::beams_a_survivor : 1;
         return each * survivors_wanted() > static_cast<double>(out_.beams);
     }
 
@@ -194,7 +194,7 @@ private:
     void walk() {
         walking_ = true;
         out_.groups = PathStarts::groups;
-        const double most = options_.sample_effort * static_cast<double>(out_.beams) / beams_a_path;
+        const double most = options_.sample_effort * static_cast<double>(out_.beams);
         const double times = times_there(), elsewhere = waiting_ - waiting_there_;
         const double paths = std::max(std::min(survivors_wanted(), most), PathStarts::fewest) /
                              (elsewhere + times * waiting_there_);

@@ -16,7 +16,7 @@ SCOPE_HEAD = 15.0  #: and in ASET and Ideal-Scope
 LAMP = 2.0  #: across a lamp, for fire, degrees
 WINDOW = 10.0  #: and across a window, for scintillation
 NUDGE = 2.0  #: tilt of scintillation, degrees
-BEAMS = 500_000  #: after so many a view that is to be traced to a bound ends, and states what is left
+BEAMS = 400_000  #: after so many a view that is to be traced to a bound ends, and states what is left
 F_LINE, C_LINE, D_LINE = 486.1, 656.3, 589.3  #: nm
 
 
