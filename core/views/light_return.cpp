@@ -25,17 +25,21 @@ LightReturn light_return(const Exits& exits, const DomeLight& light, std::option
     // Turns and mirrors about the line of sight do not change how high a beam stands above it.
     const Vec3 across = cross(light.zenith, exits.frame.direction);
     constexpr double rounding = 1e-15;
+    double path = 0;  // the most that one of the sample carries
     const bool axial = length(across) <= rounding;
     for (std::size_t i = 0; i < exits.size(); ++i) {
         double radiance = light.radiance(exits.direction[i]), sum_of_images = 0;
         const auto entry = static_cast<std::size_t>(exits.entry[i]);
+        bool counts = false;
         for (const PictureImage& image : exits.images) {
             if (facet && image.facets[entry] != *facet) continue;
+            counts = true;
             if (!axial) radiance = light.radiance(image.of(exits.direction[i], exits.frame));
             sum_of_images += radiance;
         }
-        sums[static_cast<std::size_t>(exits.group[i])] +=
-            exits.area[i] * exits.weight[i].s0 * sum_of_images;
+        const double seen = exits.area[i] * exits.weight[i].s0;
+        sums[static_cast<std::size_t>(exits.group[i])] += seen * sum_of_images;
+        if (counts && exits.group[i] > 0) path = std::max(path, seen);
     }
     double area = exits.area_total, untraced = exits.untraced;
     if (facet) {
@@ -46,9 +50,12 @@ LightReturn light_return(const Exits& exits, const DomeLight& light, std::option
     const Estimate estimate = estimate_of(sums);
     const double bound = light.greatest() * untraced / area,
                  residue = light.greatest() * exits.residue / area;
+    // What was never met may be there once.
+    const double error =
+        std::hypot(estimate.error, path * static_cast<double>(exits.images.size())) / area;
     const double sampled = std::min(estimate.value - sums[0], light.greatest() * untraced);
     return {(sums[0] + sampled) / area, bound,
-            exits.groups > 0 ? std::min(bound, estimate.error / area + residue) : bound};
+            exits.groups > 0 ? std::min(bound, error + residue) : bound};
 }
 
 std::optional<int> table_facet(const Stone& stone) {

@@ -28,6 +28,7 @@ from .performance import (
     frame_of,
     numbers,
     percent,
+    sure,
     trace,
 )
 from .views import View
@@ -138,12 +139,13 @@ class Analysis:
 
     @property
     def effect(self) -> Numbers:
-        """By how much birefringence changes each number, with the sum of both bounds."""
+        """By how much birefringence changes each number."""
         out: Numbers = {}
         for name, a in self.face_up.items():
             b = (self.without or {}).get(name)
             if b is not None:
-                out[name] = Number(a.value - b.value, a.bound + b.bound, math.hypot(a.error, b.error))
+                error = math.hypot(a.error, b.error)
+                out[name] = Number(a.value - b.value, sure(a.bound + b.bound, error), error)
         return out
 
 

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from ._core import illuminant as spectrum_of
 from ._core import observer
 from .gem import Gem
-from .performance import Number, Numbers, frame_of, numbers, percent
+from .performance import Number, Numbers, frame_of, numbers, percent, sure
 from .views import view
 
 FIRST, LAST = 400.0, 720.0  #: nm; what of the light lies beyond counts there
@@ -50,14 +50,14 @@ def coloured(
             gem.stone, gem.medium(nm), direction=-frame[2], up=frame[1], absorption=gem.absorption(nm), bound=None, error=each, seed=i
         )
         seen_numbers = numbers(seen, frame[2])
-        passed, bound, deviation = percent(seen.light_return(lambda d: np.ones(len(d))))
-        found.append({**seen_numbers, "absorbed": Number(100 - passed, bound, deviation)})
+        passed = percent(seen.light_return(lambda d: np.ones(len(d))))
+        found.append({**seen_numbers, "absorbed": passed._replace(value=100 - passed.value)})
     luminous = {}
     for name in found[0]:
         value, bound, deviation = np.array([one[name] for one in found]).T
         rule = abs(float((weights - coarse) @ value))
-        spread = math.hypot(float(np.linalg.norm(weights * deviation)), 0.5 * rule)
-        luminous[name] = Number(float(weights @ value), float(weights @ bound) + rule, spread)
+        chance = float(np.linalg.norm(weights * deviation))
+        luminous[name] = Number(float(weights @ value), sure(float(weights @ bound), chance) + rule, math.hypot(chance, 0.5 * rule))
     return Coloured(at.tolist(), weights.tolist(), found, luminous)
 
 

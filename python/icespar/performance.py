@@ -15,16 +15,17 @@ HEAD = 10.0  #: half the angle of the observer's head in light return and extinc
 SCOPE_HEAD = 15.0  #: and in ASET and Ideal-Scope
 LAMP = 2.0  #: across a lamp, for fire, degrees
 WINDOW = 10.0  #: and across a window, for scintillation
+SURE = 3.0  #: standard errors that bound a number
 NUDGE = 2.0  #: tilt of scintillation, degrees
 BEAMS = 400_000  #: after so many a view that is to be traced to a bound ends, and states what is left
 F_LINE, C_LINE, D_LINE = 486.1, 656.3, 589.3  #: nm
 
 
 class Number(NamedTuple):
-    """A part of the stone's face, in percent. The truth is never further than `bound` away, and within about two `error`."""
+    """A part of the stone's face, in percent, with a bound on how far the truth is away: it lies beyond once in some 300 numbers."""
 
     value: float
-    bound: float
+    bound: float  #: SURE standard errors, or where that is less the light that was not followed exactly
     error: float  #: one standard error; where nothing was sampled, the bound
 
 
@@ -110,4 +111,11 @@ def frame_of(tilt: tuple[float, float]) -> NDArray[np.float64]:
 
 
 def percent(number: Iterable[float]) -> Number:
-    return Number(*(100 * x for x in number))
+    """Of value, light that was not followed exactly and standard error, of 1."""
+    value, missing, error = (100 * x for x in number)
+    return Number(value, sure(missing, error), error)
+
+
+def sure(most: float, error: float) -> float:
+    """The bound of a number that is off by no more than `most` whatever chance does."""
+    return min(most, SURE * error)

@@ -199,11 +199,11 @@ def table_text(analyses: list[Analysis]) -> str:
 
 
 def _number(number: Number | None) -> str:
-    """ "45.29 % ± 0.02": twice the standard error; or, without a sample, what may be missing, "45.29 % (+0.30)"."""
+    """ "45.29 % ± 0.02", its bound; or, without a sample, what may be missing, "45.29 % (+0.30)"."""
     if number is None:
         return "-"
     if number.error < number.bound:
-        return f"{number.value:.2f} % \N{PLUS-MINUS SIGN} {2 * number.error:.2f}"
+        return f"{number.value:.2f} % \N{PLUS-MINUS SIGN} {number.bound:.2f}"
     return f"{number.value:.2f} % (+{number.bound:.2f})"
 
 

@@ -177,18 +177,20 @@ class View:
         radiance = np.asarray(light(self.direction), float)
         if radiance.shape != self.area.shape:
             raise Error(f"a light must return one number for each direction, {self.area.shape}, not {radiance.shape}")
-        parts = radiance * self._full.weight[:, 0] * self.area
+        light = self._full.weight[:, 0] * self.area
         area, untraced = self.area_total, self._exits.untraced
         if facet is not None:
-            parts = np.where(self.entry == facet, parts, 0)
+            light = np.where(self.entry == facet, light, 0)
             area, untraced = self.facet_area[facet], self._exits.entry_untraced[facet]
         if not area > 0:
             return LightReturn(0.0, 0.0, 0.0)
-        exact, *groups = np.bincount(self.group, parts, minlength=self.groups + 1)
+        exact, *groups = np.bincount(self.group, radiance * light, minlength=self.groups + 1)
         bound = float(greatest * untraced / area)
         if not groups:
             return LightReturn(float(exact / area), bound, bound)
-        error = spread(groups) + greatest * self._exits.residue
+        # What no path of the sample met may be there once.
+        path = len(self.images) * light.max(initial=0.0, where=self.group > 0)
+        error = math.hypot(spread(groups), greatest * path) + greatest * self._exits.residue
         value = exact + min(sum(groups), greatest * untraced)
         return LightReturn(float(value / area), bound, min(bound, float(error / area)))
 

@@ -237,3 +237,23 @@ def test_a_python_that_is_not_there_is_named(program, root):
     environment = {"ICESPAR_PYTHON": "/no/such/python", "PATH": "/usr/bin:/bin"}
     done = subprocess.run([program, "analyse", design], capture_output=True, text=True, env=environment, timeout=60)
     assert done.returncode == 1 and "/no/such/python" in done.stderr and "ICESPAR_PYTHON" in done.stderr
+
+
+def test_the_truth_lies_within_the_bound_of_a_number_and_bounds_are_no_wider_than_that(root):
+    gem = Gem.of(root / "scenes/designs/srb_quartz.asc", "zircon", axis=(1, 0, 1))
+    tilt = (0.0, 17.0)
+
+    def sampled(seed, error):
+        seen = analysis.trace(gem, tilt, bound=None, error=error, seed=seed, table_error=True)
+        return analysis.numbers(seen, analysis.frame_of(tilt)[2])
+
+    truth = sampled(99, 2e-4)
+    names = ("iso", "sc2", "table_iso", "window", "extinction", "aset_red")
+    off = np.array(
+        [
+            [abs(found[k].value - truth[k].value) / math.hypot(found[k].bound, truth[k].bound) for k in names]
+            for found in (sampled(seed, 3e-3) for seed in range(60))
+        ]
+    )
+    assert np.mean(off < 1) > 0.985
+    assert np.mean(off < 1 / 6) < 0.6
