@@ -64,14 +64,14 @@ struct Shot {
 };
 
 Shot picture(const Scene& scene, int size, int samples, std::uint64_t seed, Engine engine,
-             bool pixels, bool stokes) {
+             const std::string& forced, bool stokes) {
     RenderOptions o;
     o.width = o.height = size;
     o.samples = samples;
     o.threads = 1;
     o.seed = seed;
     o.engine = engine;
-    o.forced.pixels = pixels;
+    if (!forced.empty()) o.forced.part(forced) = true;
     o.stokes = stokes;
     const double start = cpu_seconds();
     Rendering r = render(scene, o);
@@ -103,7 +103,8 @@ double rms(const Shot& x, const Shot& a, const Shot& b) {
 
 }  // namespace
 
-/// beams KIND SIZE REFERENCE_SAMPLES DOUBLINGS [reference: rays|beams] [rays|beams|pixels] [stokes]
+/// beams KIND SIZE REFERENCE_SAMPLES DOUBLINGS [reference: rays|beams]
+/// [rays|beams|pixels|survivors] [stokes]
 int main(int argc, char** argv) {
     const std::string kind = argc > 1 ? argv[1] : "isotropic";
     const int size = argc > 2 ? std::atoi(argv[2]) : 256;
@@ -112,11 +113,12 @@ int main(int argc, char** argv) {
     const bool reference_rays = argc > 5 && std::string(argv[5]) == "rays";
     const std::string engine = argc > 6 ? argv[6] : "beams";
     const bool rays = engine == "rays";
+    const std::string forced = rays || engine == "beams" ? "" : engine;
     const bool stokes = argc > 7;
     const Scene scene = brilliant(kind);
     const Engine truth = reference_rays ? Engine::rays : Engine::beams;
-    const Shot a = picture(scene, size, reference, 101, truth, true, false),
-               b = picture(scene, size, reference, 102, truth, true, false);
+    const Shot a = picture(scene, size, reference, 101, truth, "pixels", false),
+               b = picture(scene, size, reference, 102, truth, "pixels", false);
     double mean = 0;
     for (const float v : a.rgb) mean += v / static_cast<double>(a.rgb.size());
     std::printf("# reference %.2f s, mean %.4f\n", a.seconds, mean);
@@ -124,7 +126,7 @@ int main(int argc, char** argv) {
         "kind,engine,samples,cpu_seconds,rmse,luminance_rmse,estimated_rmse,events,ns_per_event\n");
     for (int samples = 1; samples <= 1 << doublings; samples *= 2) {
         const Shot p = picture(scene, size, samples, static_cast<std::uint64_t>(samples),
-                               rays ? Engine::rays : Engine::beams, engine == "pixels", stokes);
+                               rays ? Engine::rays : Engine::beams, forced, stokes);
         std::printf("%s,%s,%d,%.3f,%.5f,%.5f,%.5f,%.0f,%.0f\n", kind.c_str(), engine.c_str(),
                     samples, p.seconds, rms(p, a, b), luminance_rms(p, a, b), p.error * mean,
                     p.events, 1e9 * p.seconds / p.events);

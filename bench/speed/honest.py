@@ -21,6 +21,7 @@ WAYS = {
     "beams, 16, wavelengths": dict(engine="beams", spp=16, full="wavelengths"),
     "beams, 16, surroundings": dict(engine="beams", spp=16, full="surroundings"),
     "beams, 16, pixels": dict(engine="beams", spp=16, full="pixels"),
+    "beams, 16, survivors": dict(engine="beams", spp=16, full="survivors"),
     "beams, 16, Stokes": dict(engine="beams", spp=16, stokes=True),
     "beams, 48": dict(engine="beams", spp=48),
     "rays, 64": dict(engine="rays", spp=64),

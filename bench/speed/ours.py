@@ -55,7 +55,7 @@ class Ours:
         """(scene, part, engine, seconds without, with, error without, with): medians of pairs in turn."""
         cases = [
             ("isotropic", "beams", 32, ["stokes", "wavelengths", "surroundings", "tree", "pixels"]),
-            ("uniaxial", "beams", 16, ["stokes", "wavelengths", "surroundings", "pixels"]),
+            ("uniaxial", "beams", 16, ["stokes", "wavelengths", "surroundings", "pixels", "survivors"]),
             ("isotropic", "rays", 16, ["wavelengths", "absorption", "tree"]),
             ("uniaxial", "rays", 4, ["general"]),
         ]

@@ -40,6 +40,13 @@ struct Block {
                 within(y - high.y + least, down), within(y - low.y - least, down)};
     }
 
+    /// The pixel of a point.
+    [[nodiscard]] std::size_t holding(const Point2& p) const {
+        const auto x = static_cast<int>(std::floor(p.x + 0.5 * across)),
+                   y = static_cast<int>(std::floor(0.5 * down - p.y));
+        return number(std::clamp(x, 0, across - 1), std::clamp(y, 0, down - 1));
+    }
+
     /// Positive to the right of a column, or below a row.
     [[nodiscard]] Affine right_of(int column, const Point2& centre) const {
         return {centre.x + 0.5 * across - (column + 1), 1, 0};

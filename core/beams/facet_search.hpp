@@ -41,7 +41,6 @@ public:
     void crossed(int facet, const Expansion& point, PolygonView polygon,
                  std::vector<Edge>& edges) const;
 
-private:
     /// Planes, each number of all of them side by side.
     struct Planes {
         std::vector<double> x, y, z, distance;
@@ -49,6 +48,9 @@ private:
         /// To a multiple of a number, with planes that are never ahead and never near.
         void pad(std::size_t multiple);
     };
+    [[nodiscard]] const Planes& planes() const { return planes_; }
+
+private:
     int facets_;
     Vec3 centre_;
     Planes planes_, around_;                 ///< of all facets; of each facet's neighbours in turn

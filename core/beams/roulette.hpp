@@ -26,6 +26,9 @@ public:
         reached_ = 0;
     }
 
+    [[nodiscard]] double threshold() const { return threshold_; }
+    [[nodiscard]] double uniform() { return random_.uniform(); }
+
     /// 0 for a beam that ends, else the gain in weight of one that survives.
     [[nodiscard]] double gain(double weight, int hits) {
         double survival = weight >= threshold_ ? 1 : weight / threshold_;

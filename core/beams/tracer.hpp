@@ -9,6 +9,7 @@
 #include "beams/block.hpp"
 #include "beams/carry.hpp"
 #include "beams/facet_search.hpp"
+#include "beams/faint_rays.hpp"
 #include "beams/fresnel.hpp"
 #include "beams/index_surface.hpp"
 #include "beams/leaf.hpp"
@@ -28,8 +29,13 @@ namespace icespar {
 ///   may_meet(hits)      false: the beam ends before its next interface event
 ///   lose(weight)        a beam given up so
 ///   open(), close(hits) around all that comes of a beam that survived by chance after so many
-///   hits,
-///                       and is not itself the offspring of such a one
+///                       hits, and is not itself the offspring of such a one
+///   survivors_are_rays() if a sink has it: whether in a crystal such a beam goes on as rays
+///                       instead, which do not fade
+///   survive(hits, response)
+///                       as how many
+///   send(ray, pixel)    one of them, to which the sink gives its seed and owner
+///   uniform()           a random number
 ///   see(leaf)
 ///   transmit(lengths)   only if absorbing: the mean over the beam's colours of what absorption has
 ///                       left of it, before anything of the sort is seen; responses hold the mean
@@ -136,12 +142,39 @@ private:
         const bool before = beam_.chosen;
         if (gain != 1) {
             beam_.response.scale(gain);
+            if constexpr (birefringent && requires { sink.survivors_are_rays(); }) {
+                if (sink.survivors_are_rays()) return set_off(sink);
+            }
             beam_.chosen = true;
         }
         alive_ = last;
         if (last) return;
         push(beam_, polygon_);
         beam_.chosen = before;
+    }
+
+    /// Goes on as rays through points of its polygon, spread evenly (Roberts 2018).
+    template <class Sink>
+    void set_off(Sink& sink) {
+        constexpr Point2 apart{0.7548776662466927, 0.5698402909980532};
+        const int rays = sink.survive(beam_.hits, beam_.response);
+        const double weight = beam_.area * beam_.response.power() / rays;
+        Point2 at{sink.uniform(), sink.uniform()};
+        for (int i = 0; i < rays; ++i) {
+            at = {at.x + apart.x - std::floor(at.x + apart.x),
+                  at.y + apart.y - std::floor(at.y + apart.y)};
+            const Point2 p = point_in(polygon_, at.x, at.y);
+            FaintRays::Ray ray;
+            ray.position = beam_.position.at(p);
+            ray.k = surface_.onto(beam_.k.at(p), beam_.extraordinary);
+            ray.field = field(ray.k, beam_.extraordinary, beam_.s);
+            if constexpr (spectral) ray.fan = beam_.fan;
+            ray.weight = weight;
+            ray.left = beam_.left;
+            ray.hits = beam_.hits;
+            ray.extraordinary = beam_.extraordinary;
+            sink.send(ray, block_.holding(beam_.centre + p));
+        }
     }
 
     void push(Beam& beam, PolygonView polygon) {
@@ -172,20 +205,18 @@ private:
             }
         }
         beam.k.value = surface_.onto(beam.k.value, beam.extraordinary);
-        if constexpr (birefringent) turn_field(beam);
+        if constexpr (birefringent) beam.s = field(beam.k.value, beam.extraordinary, beam.s);
         for (Point2& p : polygon) p = p - e.centroid;
         return true;
     }
 
-    /// A mode's E follows its k, but for its sign; along the axis it stays what it was.
-    void turn_field(Beam& beam) const {
+    /// E of a mode, but for its sign; along the axis it stays what it was.
+    [[nodiscard]] Vec3 field(const Vec3& k, bool extraordinary, const Vec3& before) const {
         constexpr double along_axis = 1e-12;
-        const Vec3& k = beam.k.value;
         const Vec3 across = cross(k, medium_.axis);
-        if (!(dot(across, across) > along_axis)) return;
-        beam.s = normalised(beam.extraordinary
-                                ? medium_.axis - (dot(k, medium_.axis) / surface_.eps_o) * k
-                                : across);
+        if (!(dot(across, across) > along_axis)) return before;
+        return normalised(extraordinary ? medium_.axis - (dot(k, medium_.axis) / surface_.eps_o) * k
+                                        : across);
     }
 
     [[nodiscard]] bool based_on(int chain, int facet) const {

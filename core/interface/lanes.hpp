@@ -110,11 +110,11 @@ V size(const Cx<V>& a) {
 }
 
 template <class V>
-Cx<V> select(const Mask<V>& condition, const Cx<V>& yes, const Cx<V>& no) {
+[[gnu::always_inline]] inline Cx<V> select(const Mask<V>& condition, const Cx<V>& yes, const Cx<V>& no) {
     return {select<V>(condition, yes.re, no.re), select<V>(condition, yes.im, no.im)};
 }
 template <class V>
-Vector3<V> select(const Mask<V>& condition, const Vector3<V>& yes, const Vector3<V>& no) {
+[[gnu::always_inline]] inline Vector3<V> select(const Mask<V>& condition, const Vector3<V>& yes, const Vector3<V>& no) {
     return {select<V>(condition, yes.x, no.x), select<V>(condition, yes.y, no.y),
             select<V>(condition, yes.z, no.z)};
 }

@@ -13,6 +13,7 @@
 #include "render/path_colour.hpp"
 #include "render/sky_spectrum.hpp"
 #include "render/sky_sum.hpp"
+#include "render/survivors.hpp"
 #include "render/visibility.hpp"
 #include "render/walker.hpp"
 
@@ -150,6 +151,7 @@ public:
             const StoneNeeds& stone = needs.stones[i];
             tracers_.push_back(tracer_for(stones.facets[i], stone.birefringent,
                                           stone.parts_wavelengths, stone.absorption));
+            faint_.emplace_back(stones.facets[i]);
             colours_.emplace_back();
             if (!stone.absorption && !stone.wavelengths) continue;
             const Crystal& crystal = world.scene().gems[i].crystal;
@@ -203,6 +205,7 @@ public:
 
     [[nodiscard]] std::uint64_t events() const override {
         std::uint64_t sum = walker_.events();
+        for (const FaintRays& f : faint_) sum += f.events();
         for (const auto& t : tracers_) sum += std::visit([](auto& v) { return v.events(); }, t);
         return sum;
     }
@@ -223,6 +226,16 @@ public:
     void absorb(double weight) { sampler_->absorbed += share_ * weight; }
     void open() { std::fill_n(seen_.begin(), count(), 0.0); }
     void close(int hits) { roulette_.saw(hits, {seen_.data(), count()}); }
+    [[nodiscard]] bool survivors_are_rays() const { return needs_.faint_rays; }
+    int survive(int hits, const typename Response::Single& response) {
+        const double power = response.power();
+        survivors_.add(hits, (1 / power) * response.leaving(1, 0).unpolarised());
+        return rays_;
+    }
+    [[nodiscard]] double uniform() { return roulette_.uniform(); }
+    void send(const FaintRays::Ray& ray, std::size_t pixel) {
+        survivors_.send(ray, pixel, mixed(seed_ + next_++), rays_of(gem_));
+    }
     void see(const Leaf<Response>& leaf) {
         if (!needs_.surroundings) {
             const Stokes response = leaf.response.unpolarised();
@@ -348,6 +361,9 @@ private:
         std::visit(
             [&](auto& tracer) {
                 tracer.set_medium(medium, change(o), change(e));
+                if (crystal.birefringent()) {
+                    rays_of(gem_).set_medium(medium, spectral_, change(o), change(e));
+                }
                 tracer.set_block(block_, unevenness * std::pow(threshold_, 0.75));
                 for (std::size_t i = 0; i < count_; ++i) {
                     if (parts_[i].facet < 0) continue;
@@ -356,6 +372,21 @@ private:
                 }
             },
             tracers_[static_cast<std::size_t>(gem_)]);
+        if (crystal.birefringent()) follow_rays();
+    }
+
+    [[nodiscard]] FaintRays& rays_of(int gem) { return faint_[static_cast<std::size_t>(gem)]; }
+
+    void follow_rays() {
+        FaintRays& rays = rays_of(gem_);
+        survivors_.follow(
+            rays, roulette_.threshold() / rays_, world_.scene().max_trace_level, count(), roulette_,
+            [&](std::size_t pixel, const FaintRays::Exit& e, const Stokes& response) {
+                const Expansion k{e.k, {}, {}};
+                return spectral_ ? spectrum_->add(pixel, k, e.fan, {}, e.weight, response)
+                                 : sky_.add(pixel, k, {}, e.weight, response);
+            });
+        lose(rays.lost());
     }
 
     void background(PolygonView polygon) {
@@ -403,6 +434,9 @@ private:
     std::vector<PathColour> colours_;                       ///< of each stone
     PathColour* colour_ = nullptr;                          ///< of the stone that is followed
     Roulette roulette_;
+    std::vector<FaintRays> faint_;  ///< of each stone
+    Survivors survivors_;
+    static constexpr int rays_ = 4;  ///< of a survivor (docs/method.md)
     Sampler* sampler_ = nullptr;
     RayField field_;
     std::vector<Footprint::Part> parts_;
@@ -418,7 +452,7 @@ private:
     bool spectral_ = false;              ///< paths stand for pieces of the spectrum
     std::vector<double> cell_colours_;   ///< of narrow bands that pieces are made of
     double middle_ = 0;                  ///< colour of the paths, where they go on as rays
-    std::uint64_t seed_ = 0, next_ = 0;  ///< of the pixel; number of its next ray
+    std::uint64_t seed_ = 0, next_ = 0;  ///< of the block; number of its next ray
 };
 
 }  // namespace

@@ -70,9 +70,10 @@ bool& Forced::part(std::string_view name) {
     if (name == "tree") return tree;
     if (name == "surroundings") return surroundings;
     if (name == "pixels") return pixels;
-    throw Error(
-        "full: '" + std::string(name) +
-        "' is not one of wavelengths, stokes, general, absorption, tree, surroundings and pixels");
+    if (name == "survivors") return survivors;
+    throw Error("full: '" + std::string(name) +
+                "' is not one of wavelengths, stokes, general, absorption, tree, surroundings, "
+                "pixels and survivors");
 }
 
 std::size_t bounded_objects(const Scene& scene) {
@@ -115,7 +116,11 @@ Needs needs_of(const Scene& scene, bool stokes, Engine engine, const Forced& for
     } else {
         n.engine = engine != Engine::rays && n.obstacle.empty() ? Engine::beams : Engine::rays;
     }
-    n.blocks = n.engine == Engine::beams && !n.surroundings && !forced.pixels;
+    const bool alone = n.engine == Engine::beams && !n.surroundings;
+    n.blocks = alone && !forced.pixels;
+    const bool clear = std::none_of(scene.gems.begin(), scene.gems.end(),
+                                    [](const Gem& g) { return g.crystal.absorbs(); });
+    n.faint_rays = alone && n.birefringent && clear && !forced.survivors;
     return n;
 }
 

@@ -16,7 +16,7 @@ enum class Engine { automatic, rays, beams, exact };
 
 /// Parts of the full kernel to be used where a scene does not need them, to compare. The picture
 /// stays the same: to rounding, or, where samples fall elsewhere (wavelengths of beams,
-/// surroundings, pixels), within its noise.
+/// surroundings, pixels, survivors), within its noise.
 struct Forced {
     bool wavelengths = false;   ///< as if every stone treated them differently
     bool stokes = false;        ///< all four components
@@ -25,9 +25,12 @@ struct Forced {
     bool tree = false;          ///< Embree, for however few objects
     bool surroundings = false;  ///< what leaves a lonely stone is looked up ray by ray
     bool pixels = false;        ///< beams follow each pixel by itself
+    bool survivors = false;     ///< what survives by chance in a crystal stays a beam
 
     friend bool operator==(const Forced&, const Forced&) = default;
-    [[nodiscard]] static Forced everything() { return {true, true, true, true, true, true, true}; }
+    [[nodiscard]] static Forced everything() {
+        return {true, true, true, true, true, true, true, true};
+    }
     /// The part of that name; throws Error with the names there are.
     bool& part(std::string_view name);
 };
@@ -49,8 +52,9 @@ struct Needs {
     bool stokes = false;
     bool tree = false;  ///< so many objects that Embree finds them sooner
     bool surroundings =
-        false;            ///< light that leaves a stone meets more than a smooth sky and lamps
-    bool blocks = false;  ///< beams may follow pixels together
+        false;                ///< light that leaves a stone meets more than a smooth sky and lamps
+    bool blocks = false;      ///< beams may follow pixels together
+    bool faint_rays = false;  ///< beams that survive by chance may go on as rays
     Engine engine = Engine::rays;
     std::string obstacle;        ///< why beams cannot make the picture; empty when they can
     std::string exact_obstacle;  ///< the same of exact beams

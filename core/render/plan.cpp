@@ -1,6 +1,7 @@
 // The choice of kernels in words.
 #include <algorithm>
 
+#include "beams/ray_lanes.hpp"
 #include "render/needs.hpp"
 
 namespace icespar {
@@ -123,6 +124,20 @@ PlanLine pixels(const Needs& n) {
             n.surroundings ? "beams go on as rays of one pixel" : std::string(asked)};
 }
 
+PlanLine survivors(const Needs& n) {
+    if (n.engine != Engine::beams) return {"survivors", "none", "no beam ends by chance"};
+    if (n.faint_rays) {
+        return {"survivors", "rays",
+                "faint beams of a crystal go on as rays, " + std::to_string(RayLanes::size) +
+                    " side by side"};
+    }
+    const char* why = !n.birefringent      ? "what survives by chance in one mode is little"
+                      : n.surroundings     ? "what leaves the stone meets more than a sky"
+                      : n.forced.survivors ? asked
+                                           : "a coloured crystal's light fades along them";
+    return {"survivors", "beams", why};
+}
+
 PlanLine lights(const Scene& scene) {
     if (scene.lights.empty()) {
         const Environment& sky = scene.environment;
@@ -177,6 +192,7 @@ std::vector<PlanLine> plan(const Scene& scene, const Needs& n) {
         surroundings(scene, n),
         lights(scene),
         pixels(n),
+        survivors(n),
         engine(scene, n)};
 }
 

@@ -125,7 +125,7 @@ class Scene:
         an orthographic camera sees below a sky alone (next to no noise; `spp` counts wavelengths of a dispersive or coloured stone);
         "auto" takes the last of them that applies. All make the same picture within their noise.
         `full` computes what the scene does not need, too (see `plan`): True all of it, or some of "wavelengths", "stokes",
-        "general" (any crystal's solver), "absorption", "tree" (Embree), "surroundings" (a plain sky asked ray by ray) and "pixels" (beams follow each by itself).
+        "general" (any crystal's solver), "absorption", "tree" (Embree), "surroundings" (a plain sky asked ray by ray), "pixels" (beams follow each by itself) and "survivors" (what survives by chance in a crystal stays a beam).
         `progress` True draws a bar on a terminal or in a notebook; a function is called with a Progress
         now and then, and ends the render by returning False. Ctrl-C raises KeyboardInterrupt.
 
@@ -283,7 +283,7 @@ def _parts(full: bool | Iterable[str]) -> list[str]:
         return [full]
     if isinstance(full, Iterable):
         return list(full)
-    return ["wavelengths", "stokes", "general", "absorption", "tree", "surroundings", "pixels"] if full else []
+    return ["wavelengths", "stokes", "general", "absorption", "tree", "surroundings", "pixels", "survivors"] if full else []
 
 
 def _positive(name: str, value: float | None) -> float:

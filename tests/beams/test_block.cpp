@@ -138,11 +138,15 @@ TEST_CASE("pixels followed together see what each sees by itself", "[beams][bloc
                                         : coloured(zircon(axis));
     CAPTURE(parallel, kind);
     const Scene scene = close_up(crystal, parallel);
-    // The pictures of other seeds tell what chance does.
+    // The pictures of other seeds tell what chance does to either.
     const int samples = kind == 3 ? 512 : 2048;
-    const auto alone = luminances(scene, 1, samples), other = luminances(scene, 1, samples, 2),
-               together = luminances(scene, 4, samples);
-    CHECK(difference(together, alone) < 2 * difference(other, alone) + 1e-4);
+    const auto alone = luminances(scene, 1, samples), together = luminances(scene, 4, samples);
+    const double chance = std::hypot(difference(luminances(scene, 1, samples, 2), alone),
+                                     difference(luminances(scene, 4, samples, 2), together)) /
+                          std::sqrt(2);
+    // Directions are linear over a block: exact in a parallel view.
+    const double bend = parallel ? 1e-4 : 1e-3;
+    CHECK(difference(together, alone) < 2 * chance + bend);
 }
 
 TEST_CASE("pixels followed together err no more than chance makes them, by few samples too",

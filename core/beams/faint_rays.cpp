@@ -1,0 +1,145 @@
+// Lanes are filled anew as rays end; a face that lanes cannot solve is one for InnerFace.
+#include "beams/faint_rays.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "beams/carry.hpp"
+#include "interface/inner_face.hpp"
+
+namespace icespar {
+namespace {
+
+/// Light that is all but caught in the stone ends all the same.
+constexpr int patient = 1024;
+constexpr double patience = 0.9;
+
+void put(const Vec3& v, RayLanes::Row* rows, int lane) {
+    rows[0][lane] = v.x;
+    rows[1][lane] = v.y;
+    rows[2][lane] = v.z;
+}
+Vec3 get(const RayLanes::Row* rows, int lane) {
+    return {rows[0][lane], rows[1][lane], rows[2][lane]};
+}
+
+}  // namespace
+
+FaintRays::FaintRays(const FacetSearch& facets)
+    : air_(Medium::isotropic(1)), crystal_(air_), facets_(facets) {
+    const FacetSearch::Planes& p = facets.planes();
+    stone_.x = p.x.data();
+    stone_.y = p.y.data();
+    stone_.z = p.z.data();
+    stone_.distance = p.distance.data();
+    stone_.planes = (facets.facets() + 1) / 2 * 2;
+}
+
+void FaintRays::set_medium(const Medium& crystal, bool spectral, double dn_o, double dn_e) {
+    crystal_ = crystal;
+    surface_ = IndexSurface(crystal, dn_o, dn_e);
+    stone_.eps_o = surface_.eps_o;
+    stone_.eps_e = surface_.eps_e;
+    stone_.swell_o = surface_.swell_o;
+    stone_.swell_e = surface_.swell_e;
+    stone_.spectral = spectral;
+    stone_.axis[0] = crystal.axis.x;
+    stone_.axis[1] = crystal.axis.y;
+    stone_.axis[2] = crystal.axis.z;
+}
+
+void FaintRays::start(int lane, const Ray& ray) {
+    rays_[static_cast<std::size_t>(lane)] = ray;
+    put(ray.position, lanes_.position, lane);
+    put(ray.k, lanes_.k, lane);
+    put(ray.field, lanes_.field, lane);
+    put(ray.fan, lanes_.fan, lane);
+    lanes_.extraordinary[lane] = ray.extraordinary ? 1 : 0;
+    lanes_.left[lane] = ray.left;
+    lanes_.weight[lane] = ray.weight;
+}
+
+bool FaintRays::meet(int lane, double threshold) {
+    const Vec3 normal = facets_.normal(static_cast<int>(lanes_.left[lane]));
+    const double weight = lanes_.weight[lane];
+    const InnerFace face(crystal_, air_, normal, get(lanes_.k, lane), get(lanes_.field, lane),
+                         lanes_.extraordinary[lane] != 0);
+    lanes_.passed[lane] =
+        face.passes ? weight * (std::norm(face.out_s) + std::norm(face.out_p)) : 0;
+    put(face.k_out, lanes_.out, lane);
+    const Vec3 fan = get(lanes_.fan, lane);
+    if (stone_.spectral && face.passes) {
+        put(fanned(fan, normal, face.k_out, 0), lanes_.out_fan, lane);
+    }
+    const auto power = [&](std::size_t i) {
+        return face.reflected.propagates[i] ? weight * std::norm(face.amplitude[i]) : 0;
+    };
+    const double e = power(1), stays = power(0) + e;
+    const double survival = std::min(stays / threshold, lanes_.most[lane]);
+    if (!(lanes_.chance[lane] < survival)) return false;
+    const std::size_t mode = lanes_.chance[lane] * stays < survival * e ? 1 : 0;
+    lanes_.weight[lane] = stays / survival;
+    lanes_.extraordinary[lane] = mode == 1 ? 1 : 0;
+    const Vec3& k = face.reflected.k[mode];
+    if (stone_.spectral) {
+        const Vec3 flow = surface_.energy(k, mode == 1);
+        put(fanned(fan, normal, flow, surface_.swelling(k, mode == 1)), lanes_.fan, lane);
+    }
+    put(k, lanes_.k, lane);
+    put(face.reflected.E[mode], lanes_.field, lane);
+    return true;
+}
+
+void FaintRays::follow(double threshold, int most_hits, Lanes width) {
+    auto step = step_baseline;
+#ifdef ICESPAR_AVX512
+    if (width == Lanes::avx512) step = step_avx512;
+#endif
+    // Where digits would be lost; by scalars, all.
+    stone_.delicate = width == Lanes::scalar ? std::numeric_limits<double>::infinity() : 1e-4;
+    exits_.clear();
+    lost_ = 0;
+    std::array<bool, RayLanes::size> busy{};
+    std::size_t next = 0;
+    for (;;) {
+        int active = 0;
+        for (int lane = 0; lane < RayLanes::size; ++lane) {
+            const auto i = static_cast<std::size_t>(lane);
+            if (!busy[i] && next < waiting_.size()) {
+                start(lane, waiting_[next++]);
+                busy[i] = true;
+            }
+            if (!busy[i]) continue;
+            ++active;
+            Ray& ray = rays_[i];
+            Random random(ray.seed);
+            lanes_.chance[lane] = random.uniform();
+            ray.seed = random.state();
+            lanes_.most[lane] = ++ray.hits < patient ? 1 : patience;
+        }
+        if (active == 0) break;
+        events_ += static_cast<std::uint64_t>(active);
+        step(stone_, threshold, lanes_);
+        for (int lane = 0; lane < RayLanes::size; ++lane) {
+            const auto i = static_cast<std::size_t>(lane);
+            if (!busy[i]) continue;
+            const Ray& ray = rays_[i];
+            if (lanes_.left[lane] < 0) {
+                lost_ += lanes_.weight[lane];
+                busy[i] = false;
+                continue;
+            }
+            const bool solved = lanes_.solved[lane] != 0;
+            const bool alive = solved ? lanes_.alive[lane] != 0 : meet(lane, threshold);
+            if (lanes_.passed[lane] > 0) {
+                exits_.push_back({get(lanes_.out, lane), get(lanes_.out_fan, lane),
+                                  lanes_.passed[lane], ray.owner});
+            }
+            busy[i] = alive && (most_hits == 0 || ray.hits < most_hits);
+            if (alive && !busy[i]) lost_ += lanes_.weight[lane];
+        }
+    }
+    waiting_.clear();
+}
+
+}  // namespace icespar
