@@ -107,7 +107,7 @@ def test_plan_gives_the_choice_of_render_with_its_reasons(run, tmp_path):
     done = run("plan", "box.spar")
     assert done.returncode == 0 and done.stderr == ""
     subjects = [line.split()[0] for line in done.stdout.splitlines()]
-    assert subjects == "wavelengths polarisation crystals absorption objects surroundings lights pixels engine".split()
+    assert subjects == "wavelengths polarisation crystals absorption objects surroundings lights pixels survivors engine".split()
     assert "Stokes vectors" in run("plan", "--stokes", "box.spar").stdout
     assert "asked for" in run("plan", "--engine", "rays", "box.spar").stdout.splitlines()[-1]
     assert "found by Embree" in run("plan", "--full", "box.spar").stdout
