@@ -110,7 +110,7 @@ def plot_costs(rows, path):
             place.set_xticks(sorted({row[3] for row in rows if row[0] == kind}))
             place.xaxis.set_major_formatter("{x:g}")
         if kind == "birefringence":
-            place.set_ylim(0.01, 2)
+            place.set_ylim(0.004, 2)
         for axis in (place.xaxis, place.yaxis):
             axis.set_minor_formatter(NullFormatter())
         place.grid(alpha=0.3, which="both")
