@@ -11,24 +11,46 @@ namespace {
 constexpr double delicate = 1e-4;
 
 /// Tangential fields of a wave times the tangential wave number, in the face's frame.
+template <class T>
 struct Tangential {
-    double q, ex, ey, hy;
-
-    /// `t`: tangential wave vector; `y` = normal x t.
-    Tangential(const Vec3& E, double along_normal, const Vec3& t, const Vec3& y, const Vec3& normal)
-        : q(along_normal), ex(dot(E, t)), ey(dot(E, y)), hy(q * ex - dot(t, t) * dot(E, normal)) {}
+    T q, ex, ey, hy;
 };
+
+/// `t`: tangential wave vector; `y` = normal x t.
+Tangential<double> tangential(const Vec3& E, double q, const Vec3& t, const Vec3& y,
+                              const Vec3& normal) {
+    const double ex = dot(E, t);
+    return {q, ex, dot(E, y), q * ex - dot(t, t) * dot(E, normal)};
+}
+
+/// The field k x axis of an ordinary wave of normal component -i sqrt(-q2).
+Tangential<Complex> fading_o(double q2, const Vec3& axis, const Vec3& t, const Vec3& y,
+                             const Vec3& normal) {
+    const Complex q(0, -std::sqrt(-q2));
+    const Vec3 flat = cross(t, axis), deep = cross(normal, axis);
+    const Complex ex = q * dot(deep, t);
+    return {q, ex, dot(flat, y) + q * dot(deep, y), q * ex - dot(t, t) * dot(flat, normal)};
+}
+
+/// The field axis - (k . axis) k / eps_o of an extraordinary wave.
+Tangential<Complex> fading_e(const Complex& q, double eps_o, const Vec3& axis, const Vec3& t,
+                             const Vec3& y, const Vec3& normal) {
+    const double kt2 = dot(t, t);
+    const Complex along = (dot(t, axis) + q * dot(normal, axis)) / eps_o;
+    const Complex ex = dot(t, axis) - along * kt2;
+    return {q, ex, dot(axis, y), q * ex - kt2 * (dot(normal, axis) - along * q)};
+}
 
 double size(double v) { return std::abs(v); }
 double size(const Complex& v) { return std::abs(v.real()) + std::abs(v.imag()); }
 
-/// Amplitudes of both reflected waves for |E| = 1 of each; false where they are all but parallel.
-template <class T>
-bool match(const T& q_beyond, double eps_beyond, const Tangential& in,
-           const std::array<Tangential, 2>& out, std::array<T, 2>& r) {
-    const auto first = [&](const Tangential& w) { return (q_beyond - w.q) * w.ey; };
-    const auto second = [&](const Tangential& w) { return eps_beyond * w.ex - q_beyond * w.hy; };
-    const T a = first(out[0]), b = first(out[1]), c = second(out[0]), d = second(out[1]);
+/// Amplitudes of both reflected waves for the E of each; false where they are all but parallel.
+template <class T, class O, class E>
+bool match(const T& q_beyond, double eps_beyond, const Tangential<double>& in, const O& o,
+           const E& e, std::array<T, 2>& r) {
+    const auto first = [&](const auto& w) { return (q_beyond - w.q) * w.ey; };
+    const auto second = [&](const auto& w) { return eps_beyond * w.ex - q_beyond * w.hy; };
+    const T a = first(o), b = first(e), c = second(o), d = second(e);
     const T x = first(in), y = second(in), ad = a * d, bc = b * c, det = ad - bc;
     if (!(size(det) > delicate * (size(ad) + size(bc)))) return false;
     const T inverse = -1.0 / det;
@@ -56,50 +78,66 @@ bool InnerFace::find(const Medium& crystal, const Medium& beyond, const Vec3& no
     const double kt2 = dot(t, t), tc = dot(t, crystal.axis), nc = dot(normal, crystal.axis);
     const double q_beyond2 = eps_beyond - kt2;
     if (kt2 < delicate || std::abs(q_beyond2) < delicate) return false;
+    passes = q_beyond2 > 0;
 
     // k . k = eps_o and k . eps k = eps_o eps_e. A mode knows its own other root.
     const double o2 = eps_o - kt2;
     const double a = eps_o + excess * nc * nc, b = excess * tc * nc;
     const double e2 = b * b - a * (eps_o * kt2 + excess * tc * tc - eps_o * eps_e);
-    if (o2 < delicate || e2 < delicate) return false;
-    const double q_o = extraordinary ? -std::sqrt(o2) : -kn;
-    const double q_e = extraordinary ? -2 * b / a - kn : -(b + std::sqrt(e2)) / a;
-    const double along_o = tc + q_o * nc, along_e = tc + q_e * nc;
-    const Vec3 k_o = t + q_o * normal, k_e = t + q_e * normal;
-    const double across_o2 = eps_o - along_o * along_o;
-    const Vec3 E_e = crystal.axis - (along_e / eps_o) * k_e;
-    const double E_e2 = dot(E_e, E_e);
-    if (across_o2 < delicate || E_e2 < delicate) return false;
-    reflected.propagates = {true, true};
-    reflected.k = {k_o, k_e};
-    reflected.E = {(1 / std::sqrt(across_o2)) * cross(k_o, crystal.axis),
-                   (1 / std::sqrt(E_e2)) * E_e};
+    if (std::abs(o2) < delicate || std::abs(e2) < delicate) return false;
+    const double q_o = extraordinary ? -std::sqrt(std::max(0.0, o2)) : -kn;
+    const double q_e = extraordinary ? -2 * b / a - kn : -(b + std::sqrt(std::max(0.0, e2))) / a;
 
     // Normal flux: k N - (E . N) (E . k) for unit E.
-    const Vec3& e = reflected.E[1];
     const double flux_in = kn - dot(field, normal) * dot(field, k);
-    const double flux_e = dot(e, normal) * dot(e, k_e) - q_e;
-    if (flux_in < delicate || flux_e < delicate) return false;
-    const Tangential in(field, kn, t, y, normal);
-    const std::array<Tangential, 2> out{Tangential(reflected.E[0], q_o, t, y, normal),
-                                        Tangential(e, q_e, t, y, normal)};
-    const double norm_o = std::sqrt(-q_o / flux_in), norm_e = std::sqrt(flux_e / flux_in);
-    passes = q_beyond2 > 0;
-    if (!passes) {
-        std::array<Complex, 2> r;
-        if (!match(Complex(0, std::sqrt(-q_beyond2)), eps_beyond, in, out, r)) return false;
-        amplitude = {norm_o * r[0], norm_e * r[1]};
-        return true;
+    if (flux_in < delicate) return false;
+    const Tangential<double> in = tangential(field, kn, t, y, normal);
+    Tangential<double> o{}, e{};
+    double norm_o = 0, norm_e = 0;
+    reflected.propagates = {o2 > 0, e2 > 0};
+    if (o2 > 0) {
+        const double along = tc + q_o * nc, across2 = eps_o - along * along;
+        if (across2 < delicate) return false;
+        const Vec3& wave = reflected.k[0] = t + q_o * normal;
+        reflected.E[0] = (1 / std::sqrt(across2)) * cross(wave, crystal.axis);
+        o = tangential(reflected.E[0], q_o, t, y, normal);
+        norm_o = std::sqrt(-q_o / flux_in);
     }
+    if (e2 > 0) {
+        const Vec3& wave = reflected.k[1] = t + q_e * normal;
+        const Vec3 E = crystal.axis - ((tc + q_e * nc) / eps_o) * wave;
+        const double E2 = dot(E, E);
+        if (E2 < delicate) return false;
+        const Vec3& unit = reflected.E[1] = (1 / std::sqrt(E2)) * E;
+        const double flux = dot(unit, normal) * dot(unit, wave) - q_e;
+        if (flux < delicate) return false;
+        e = tangential(unit, q_e, t, y, normal);
+        norm_e = std::sqrt(flux / flux_in);
+    }
+    if (!passes) {
+        const Complex beyond_q(0, std::sqrt(-q_beyond2));
+        std::array<Complex, 2> r;
+        // One of the reflected waves may fade away from the face, too.
+        const auto with = [&](const auto& wave_o, const auto& wave_e) {
+            return match(beyond_q, eps_beyond, in, wave_o, wave_e, r);
+        };
+        const bool found = o2 < 0   ? with(fading_o(o2, crystal.axis, t, y, normal), e)
+                           : e2 < 0 ? with(o, fading_e(Complex(-b, -std::sqrt(-e2)) / a, eps_o,
+                                                       crystal.axis, t, y, normal))
+                                    : with(o, e);
+        amplitude = {norm_o * r[0], norm_e * r[1]};
+        return found;
+    }
+    if (o2 < 0 || e2 < 0) return false;
     const double q_beyond = std::sqrt(q_beyond2);
     std::array<double, 2> r;
-    if (!match(q_beyond, eps_beyond, in, out, r)) return false;
+    if (!match(q_beyond, eps_beyond, in, o, e, r)) return false;
     amplitude = {norm_o * r[0], norm_e * r[1]};
     const double norm = std::sqrt(q_beyond / (flux_in * kt2));
     s = y;
     k_out = t + q_beyond * normal;
-    out_s = norm * (in.ey + r[0] * out[0].ey + r[1] * out[1].ey);
-    out_p = -norm / beyond.n_o * (in.hy + r[0] * out[0].hy + r[1] * out[1].hy);
+    out_s = norm * (in.ey + r[0] * o.ey + r[1] * e.ey);
+    out_p = -norm / beyond.n_o * (in.hy + r[0] * o.hy + r[1] * e.hy);
     return true;
 }
 

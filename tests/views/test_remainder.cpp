@@ -122,8 +122,9 @@ TEST_CASE("sampled numbers are right on average, and as far off as they say", "[
             CHECK(std::abs(sum / seeds) < 4 * sd / std::sqrt(seeds));
         }
     }
-    // Of a hundred, by Student's t of 64 pairs of groups 68 and 95, of 8 pairs 65 and 92.
+    // Of a hundred, by Student's t of 64 pairs of groups 68 and 95, of 8 pairs 65 and 92; more
+    // where neighbours differ, who share the light out evenly.
     CHECK(within_one > 0.6 * count);
-    CHECK(within_one < 0.75 * count);
+    CHECK(within_one < 0.82 * count);
     CHECK(within_two > 0.9 * count);
 }
