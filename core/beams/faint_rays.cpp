@@ -59,7 +59,7 @@ void FaintRays::start(int lane, const Ray& ray) {
     lanes_.weight[lane] = ray.weight;
 }
 
-bool FaintRays::meet(int lane, double threshold) {
+bool FaintRays::meet(int lane) {
     const Vec3 normal = facets_.normal(static_cast<int>(lanes_.left[lane]));
     const double weight = lanes_.weight[lane];
     const InnerFace face(crystal_, air_, normal, get(lanes_.k, lane), get(lanes_.field, lane),
@@ -67,6 +67,11 @@ bool FaintRays::meet(int lane, double threshold) {
     lanes_.passed[lane] =
         face.passes ? weight * (std::norm(face.out_s) + std::norm(face.out_p)) : 0;
     put(face.k_out, lanes_.out, lane);
+    // Both in phase, or in opposite phase.
+    const double size = std::abs(face.out_s);
+    lanes_.out_s[lane] = size;
+    lanes_.out_p[lane] =
+        size > 0 ? (face.out_p * std::conj(face.out_s)).real() / size : std::abs(face.out_p);
     const Vec3 fan = get(lanes_.fan, lane);
     if (stone_.spectral && face.passes) {
         put(fanned(fan, normal, face.k_out, 0), lanes_.out_fan, lane);
@@ -75,7 +80,7 @@ bool FaintRays::meet(int lane, double threshold) {
         return face.reflected.propagates[i] ? weight * std::norm(face.amplitude[i]) : 0;
     };
     const double e = power(1), stays = power(0) + e;
-    const double survival = std::min(stays / threshold, lanes_.most[lane]);
+    const double survival = std::min(stays / threshold_, lanes_.most[lane]);
     if (!(lanes_.chance[lane] < survival)) return false;
     const std::size_t mode = lanes_.chance[lane] * stays < survival * e ? 1 : 0;
     lanes_.weight[lane] = stays / survival;
@@ -90,56 +95,66 @@ bool FaintRays::meet(int lane, double threshold) {
     return true;
 }
 
-void FaintRays::follow(double threshold, int most_hits, Lanes width) {
-    auto step = step_baseline;
+void FaintRays::begin(double threshold, int most_hits, Lanes width) {
+    step_ = step_baseline;
 #ifdef ICESPAR_AVX512
-    if (width == Lanes::avx512) step = step_avx512;
+    if (width == Lanes::avx512) step_ = step_avx512;
 #endif
     // Where digits would be lost; by scalars, all.
     stone_.delicate = width == Lanes::scalar ? std::numeric_limits<double>::infinity() : 1e-4;
-    exits_.clear();
+    threshold_ = threshold;
+    most_hits_ = most_hits;
+    busy_ = {};
+    next_ = 0;
     lost_ = 0;
-    std::array<bool, RayLanes::size> busy{};
-    std::size_t next = 0;
-    for (;;) {
-        int active = 0;
-        for (int lane = 0; lane < RayLanes::size; ++lane) {
-            const auto i = static_cast<std::size_t>(lane);
-            if (!busy[i] && next < waiting_.size()) {
-                start(lane, waiting_[next++]);
-                busy[i] = true;
-            }
-            if (!busy[i]) continue;
-            ++active;
-            Ray& ray = rays_[i];
-            Random random(ray.seed);
-            lanes_.chance[lane] = random.uniform();
-            ray.seed = random.state();
-            lanes_.most[lane] = ++ray.hits < patient ? 1 : patience;
+}
+
+bool FaintRays::step() {
+    int active = 0;
+    for (int lane = 0; lane < RayLanes::size; ++lane) {
+        const auto i = static_cast<std::size_t>(lane);
+        if (!busy_[i] && next_ < waiting_.size()) {
+            start(lane, waiting_[next_++]);
+            busy_[i] = true;
         }
-        if (active == 0) break;
-        events_ += static_cast<std::uint64_t>(active);
-        step(stone_, threshold, lanes_);
-        for (int lane = 0; lane < RayLanes::size; ++lane) {
-            const auto i = static_cast<std::size_t>(lane);
-            if (!busy[i]) continue;
-            const Ray& ray = rays_[i];
-            if (lanes_.left[lane] < 0) {
-                lost_ += lanes_.weight[lane];
-                busy[i] = false;
-                continue;
-            }
-            const bool solved = lanes_.solved[lane] != 0;
-            const bool alive = solved ? lanes_.alive[lane] != 0 : meet(lane, threshold);
-            if (lanes_.passed[lane] > 0) {
-                exits_.push_back({get(lanes_.out, lane), get(lanes_.out_fan, lane),
-                                  lanes_.passed[lane], ray.owner});
-            }
-            busy[i] = alive && (most_hits == 0 || ray.hits < most_hits);
-            if (alive && !busy[i]) lost_ += lanes_.weight[lane];
-        }
+        if (!busy_[i]) continue;
+        ++active;
+        Ray& ray = rays_[i];
+        Random random(ray.seed);
+        lanes_.chance[lane] = random.uniform();
+        ray.seed = random.state();
+        lanes_.most[lane] = ++ray.hits < patient ? 1 : patience;
     }
-    waiting_.clear();
+    if (active == 0) return false;
+    events_ += static_cast<std::uint64_t>(active);
+    step_(stone_, threshold_, lanes_);
+    return true;
+}
+
+bool FaintRays::arrive(int lane) {
+    const auto i = static_cast<std::size_t>(lane);
+    if (lanes_.left[lane] < 0) {
+        lost_ += lanes_.weight[lane];
+        return busy_[i] = false;
+    }
+    const bool alive = lanes_.solved[lane] != 0 ? lanes_.alive[lane] != 0 : meet(lane);
+    busy_[i] = alive && (most_hits_ == 0 || rays_[i].hits < most_hits_);
+    if (alive && !busy_[i]) lost_ += lanes_.weight[lane];
+    return lanes_.passed[lane] > 0;
+}
+
+FaintRays::Exit FaintRays::exit(int lane) const {
+    const Ray& ray = rays_[static_cast<std::size_t>(lane)];
+    const Vec3 k = get(lanes_.out, lane);
+    return {get(lanes_.position, lane),
+            k,
+            get(lanes_.out_fan, lane),
+            lanes_.passed[lane],
+            cross(facets_.normal(static_cast<int>(lanes_.left[lane])), k),
+            lanes_.out_s[lane],
+            lanes_.out_p[lane],
+            ray.hits,
+            ray.owner};
 }
 
 }  // namespace icespar

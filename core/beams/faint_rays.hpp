@@ -33,34 +33,55 @@ public:
         bool extraordinary = false;
     };
     struct Exit {
-        Vec3 k, fan;
+        Vec3 position, k, fan;
         double weight;
-        int owner;
+        Vec3 s;  ///< of any length; p is k x s
+        double out_s,
+            out_p;  ///< in proportion to the amplitudes of what a mode of amplitude 1 sends
+        int hits, owner;
     };
     void add(const Ray& ray) { waiting_.push_back(ray); }
 
-    /// Follows all rays to their ends. One of less than `threshold` survives with a probability in
-    /// proportion; none meets more than `most_hits` faces, if that is not 0.
-    void follow(double threshold, int most_hits, Lanes width = widest_lanes());
+    /// Follows all rays to their ends, and shows each exit to see(exit). One of less than
+    /// `threshold` survives with a probability in proportion; none meets more than `most_hits`
+    /// faces, if that is not 0. Returns the weight given up.
+    template <class See>
+    double follow(double threshold, int most_hits, const See& see, Lanes width = widest_lanes()) {
+        begin(threshold, most_hits, width);
+        while (step()) {
+            for (int lane = 0; lane < RayLanes::size; ++lane) {
+                if (busy_[static_cast<std::size_t>(lane)] && arrive(lane)) see(exit(lane));
+            }
+        }
+        waiting_.clear();
+        return lost_;
+    }
 
-    /// Of the last `follow`.
-    [[nodiscard]] const std::vector<Exit>& exits() const { return exits_; }
-    [[nodiscard]] double lost() const { return lost_; }
     [[nodiscard]] std::uint64_t events() const { return events_; }  ///< of all so far
 
 private:
+    void begin(double threshold, int most_hits, Lanes width);
     void start(int lane, const Ray& ray);
-    /// Whether the ray goes on.
-    [[nodiscard]] bool meet(int lane, double threshold);
+    /// Fills lanes and takes them on by a face; false when none is left.
+    [[nodiscard]] bool step();
+    /// Decides whether the ray goes on. True if something left the stone.
+    [[nodiscard]] bool arrive(int lane);
+    /// At the face that lanes did not solve: whether the ray goes on.
+    [[nodiscard]] bool meet(int lane);
+    [[nodiscard]] Exit exit(int lane) const;
 
     Medium air_, crystal_;
     IndexSurface surface_{air_};
     const FacetSearch& facets_;
     RayStone stone_{};
     RayLanes lanes_{};
+    void (*step_)(const RayStone&, double, RayLanes&) = step_baseline;
+    double threshold_ = 0;
+    int most_hits_ = 0;
     std::array<Ray, RayLanes::size> rays_{};
+    std::array<bool, RayLanes::size> busy_{};
     std::vector<Ray> waiting_;
-    std::vector<Exit> exits_;
+    std::size_t next_ = 0;  ///< of those that wait
     double lost_ = 0;
     std::uint64_t events_ = 0;
 };

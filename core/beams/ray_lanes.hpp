@@ -18,8 +18,9 @@ struct RayLanes {
     // What came of them at the face.
     alignas(64) Row passed, out[3];  ///< the weight that left the stone, and its wave vector
     alignas(64) Row out_fan[3];
-    alignas(64) Row alive;   ///< 1 or 0: whether it goes on, as one of both modes
-    alignas(64) Row solved;  ///< 0: it has come to the face, the rest is left to others
+    alignas(64) Row out_s, out_p;  ///< in proportion to its amplitudes, s being normal x k
+    alignas(64) Row alive;         ///< 1 or 0: whether it goes on, as one of both modes
+    alignas(64) Row solved;        ///< 0: it has come to the face, the rest is left to others
 };
 
 /// A uniaxial crystal in air, and the planes of its facets, padded with some that are never met.

@@ -160,6 +160,8 @@ template <class V, bool spectral>
     put(select<V>(fine && passes, through, zero), rays.passed + lane);
     const Vector3<V> k_out = t + root * normal;
     put(k_out, rays.out, lane);
+    put(out_s, rays.out_s + lane);
+    put(-out_p, rays.out_p + lane);
 
     const V stays = w_o + w_e;
     const V chance = row<V>(rays.chance + lane);

@@ -80,22 +80,21 @@ struct BeamEngine::Kernels {
 
 namespace {
 
-/// A branch that goes on where a leaf ends, through one point of its polygon, by so much `apart`
-/// from the leaf's own colour.
-template <class Response>
-Branch continued(const Leaf<Response>& leaf, const Point2& at, const Vec3& apart,
-                 const Vec3& centre, int gem, bool one_wavelength) {
+/// A branch that goes on with this response, about s of any length, where light leaves a stone.
+template <class Pair>
+Branch continued(const Pair& response, const Vec3& position, const Vec3& k, const Vec3& across,
+                 int gem, int hits, bool one_wavelength) {
     Branch b;
-    b.position = leaf.position.at(at) + centre;
-    b.ray = b.k = normalised(leaf.k.at(at) + apart);
+    b.position = position;
+    b.ray = b.k = normalised(k);
     b.from = {gem, -1};
-    const Vec3 s = normalised(leaf.s - dot(leaf.s, b.ray) * b.ray);
+    const Vec3 s = normalised(across - dot(across, b.ray) * b.ray);
     b.basis = {s, cross(b.ray, s)};
-    if constexpr (Response::stokes) {
-        b.amplitude = leaf.response.a;
+    if constexpr (std::is_same_v<Pair, FullResponse::Pair>) {
+        b.amplitude = response.a;
     } else {
         // Any two launched waves of the same sum: S0 does not tell sensor axes apart.
-        const auto& r = leaf.response;
+        const auto& r = response;
         const double root = std::sqrt(r.ss);
         if (root > 0) {
             b.amplitude[0] = {root, std::conj(r.sp) / root};
@@ -105,7 +104,7 @@ Branch continued(const Leaf<Response>& leaf, const Point2& at, const Vec3& apart
         }
     }
     b.one_wavelength = one_wavelength;
-    b.hits = leaf.hits;
+    b.hits = hits;
     b.weight = b.power();
     return b;
 }
@@ -113,6 +112,7 @@ Branch continued(const Leaf<Response>& leaf, const Point2& at, const Vec3& apart
 template <class Response>
 class PixelBeams final : public BeamEngine::Kernels {
 public:
+    using Mode = typename Response::Single;
     using Tracer = std::variant<
         BeamTracer<Response, false>, BeamTracer<Response, true>, BeamTracer<Response, false, true>,
         BeamTracer<Response, true, true>, BeamTracer<Response, false, false, true>,
@@ -173,7 +173,7 @@ public:
         share_ = 1;
         sampler.begin(seed);
         seed_ = seed;
-        next_ = 0;
+        next_ = sent_ = 0;
         sampler.inside_threshold = sampler.outside_threshold = 0.1 * threshold_;
         const Scene& scene = world_.scene();
         if (stone == BeamScene::sky) {
@@ -226,15 +226,16 @@ public:
     void absorb(double weight) { sampler_->absorbed += share_ * weight; }
     void open() { std::fill_n(seen_.begin(), count(), 0.0); }
     void close(int hits) { roulette_.saw(hits, {seen_.data(), count()}); }
-    [[nodiscard]] bool survivors_are_rays() const { return needs_.faint_rays; }
-    int survive(int hits, const typename Response::Single& response) {
-        const double power = response.power();
-        survivors_.add(hits, (1 / power) * response.leaving(1, 0).unpolarised());
-        return rays_;
+    [[nodiscard]] bool survivors_are_rays() const {
+        return needs_.stones[static_cast<std::size_t>(gem_)].faint_rays;
+    }
+    int survive(int hits, const Mode& response) {
+        survivors_.add(hits, response);
+        return rays_of_survivor();
     }
     [[nodiscard]] double uniform() { return roulette_.uniform(); }
     void send(const FaintRays::Ray& ray, std::size_t pixel) {
-        survivors_.send(ray, pixel, mixed(seed_ + next_++), rays_of(gem_));
+        survivors_.send(ray, pixel, mixed(seed_ + sent_++), rays_of(gem_));
     }
     void see(const Leaf<Response>& leaf) {
         if (!needs_.surroundings) {
@@ -257,17 +258,11 @@ public:
         }
         const double weight = leaf.area * leaf.response.power();
         const int rays = std::max(1, static_cast<int>(std::lround(weight * samples_)));
-        const Vec3& centre = stones_.facets[static_cast<std::size_t>(gem_)].centre();
         for (int i = 0; i < rays; ++i) {
             const CameraSample at = camera_sample(seed_, next_++);
-            const double drawn = spectral_ ? colour_->draw(at.wavelength) : at.wavelength;
-            sampler_->at_wavelength(drawn);
-            const double nm = sampler_->wavelength_nm();
-            const Vec3 apart = spectral_ ? (SkySpectrum::colour(nm) - middle_) * leaf.fan : Vec3{};
-            const double exact = spectral_ ? colour_->correction(drawn, nm) : 1;
-            Branch b =
-                continued(leaf, point_in(leaf.polygon, at.x, at.y), apart, centre, gem_, spectral_);
-            follow(b, exact * share_ * leaf.area / rays);
+            const Point2 p = point_in(leaf.polygon, at.x, at.y);
+            go_on(leaf.response, leaf.position.at(p), leaf.k.at(p), leaf.fan, leaf.s, leaf.hits,
+                  leaf.area / rays, at);
         }
     }
 
@@ -319,6 +314,19 @@ private:
         const auto colours = cell_colours_.begin();
         middle_ = std::accumulate(colours + first, colours + last, 0.0) / (last - first);
         return SkySpectrum::wavelength_nm(middle_);
+    }
+
+    /// Light that leaves the stone goes on as a ray of one wavelength of its piece.
+    void go_on(const typename Response::Pair& response, const Vec3& position, const Vec3& k,
+               const Vec3& fan, const Vec3& s, int hits, double share, const CameraSample& at) {
+        const double drawn = spectral_ ? colour_->draw(at.wavelength) : at.wavelength;
+        sampler_->at_wavelength(drawn);
+        const double nm = sampler_->wavelength_nm();
+        const Vec3 apart = spectral_ ? (SkySpectrum::colour(nm) - middle_) * fan : Vec3{};
+        const double exact = spectral_ ? colour_->correction(drawn, nm) : 1;
+        const Vec3& centre = stones_.facets[static_cast<std::size_t>(gem_)].centre();
+        Branch b = continued(response, position + centre, k + apart, s, gem_, hits, spectral_);
+        follow(b, exact * share_ * share);
     }
 
     void follow(Branch& b, double share) {
@@ -375,18 +383,31 @@ private:
         if (crystal.birefringent()) follow_rays();
     }
 
+    /// docs/method.md
+    [[nodiscard]] int rays_of_survivor() const { return needs_.surroundings ? 1 : 4; }
+
     [[nodiscard]] FaintRays& rays_of(int gem) { return faint_[static_cast<std::size_t>(gem)]; }
 
     void follow_rays() {
         FaintRays& rays = rays_of(gem_);
-        survivors_.follow(
-            rays, roulette_.threshold() / rays_, world_.scene().max_trace_level, count(), roulette_,
-            [&](std::size_t pixel, const FaintRays::Exit& e, const Stokes& response) {
-                const Expansion k{e.k, {}, {}};
-                return spectral_ ? spectrum_->add(pixel, k, e.fan, {}, e.weight, response)
-                                 : sky_.add(pixel, k, {}, e.weight, response);
-            });
-        lose(rays.lost());
+        lose(survivors_.follow(rays, roulette_.threshold() / rays_of_survivor(),
+                               world_.scene().max_trace_level, count(), roulette_,
+                               [&](std::size_t pixel, const FaintRays::Exit& e,
+                                   const Mode& response) { return see_exit(pixel, e, response); }));
+    }
+
+    /// The luminance, below a sky alone.
+    double see_exit(std::size_t pixel, const FaintRays::Exit& e, const Mode& response) {
+        if (needs_.surroundings) {
+            const double size = 1 / std::hypot(e.out_s, e.out_p);
+            go_on(response.leaving(size * e.out_s, size * e.out_p), e.position, e.k, e.fan, e.s,
+                  e.hits, e.weight, camera_sample(seed_, next_++));
+            return 0;
+        }
+        const Stokes seen = response.leaving(1, 0).unpolarised();
+        const Expansion k{e.k, {}, {}};
+        return spectral_ ? spectrum_->add(pixel, k, e.fan, {}, e.weight, seen)
+                         : sky_.add(pixel, k, {}, e.weight, seen);
     }
 
     void background(PolygonView polygon) {
@@ -435,8 +456,7 @@ private:
     PathColour* colour_ = nullptr;                          ///< of the stone that is followed
     Roulette roulette_;
     std::vector<FaintRays> faint_;  ///< of each stone
-    Survivors survivors_;
-    static constexpr int rays_ = 4;  ///< of a survivor (docs/method.md)
+    Survivors<Mode> survivors_;
     Sampler* sampler_ = nullptr;
     RayField field_;
     std::vector<Footprint::Part> parts_;
@@ -449,10 +469,11 @@ private:
     static constexpr double unevenness = 2;  ///< (docs/method.md)
     int gem_ = 0, samples_ = 1;
     double threshold_ = 1, share_ = 1;
-    bool spectral_ = false;              ///< paths stand for pieces of the spectrum
-    std::vector<double> cell_colours_;   ///< of narrow bands that pieces are made of
-    double middle_ = 0;                  ///< colour of the paths, where they go on as rays
-    std::uint64_t seed_ = 0, next_ = 0;  ///< of the block; number of its next ray
+    bool spectral_ = false;             ///< paths stand for pieces of the spectrum
+    std::vector<double> cell_colours_;  ///< of narrow bands that pieces are made of
+    double middle_ = 0;                 ///< colour of the paths, where they go on as rays
+    std::uint64_t seed_ = 0, next_ = 0,
+                  sent_ = 0;  ///< of the block; numbers of its next ray outside and inside
 };
 
 }  // namespace

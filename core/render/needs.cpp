@@ -24,6 +24,7 @@ StoneNeeds needs_of_stone(const Crystal& c, const Forced& forced) {
     n.parts_wavelengths = c.parts_wavelengths() || forced.wavelengths;
     n.absorption = c.absorbs() || forced.absorption;
     n.beams = !n.general && !fades_otherwise(c);
+    n.faint_rays = n.beams && n.birefringent && !c.absorbs() && !forced.survivors;
     return n;
 }
 
@@ -116,11 +117,7 @@ Needs needs_of(const Scene& scene, bool stokes, Engine engine, const Forced& for
     } else {
         n.engine = engine != Engine::rays && n.obstacle.empty() ? Engine::beams : Engine::rays;
     }
-    const bool alone = n.engine == Engine::beams && !n.surroundings;
-    n.blocks = alone && !forced.pixels;
-    const bool clear = std::none_of(scene.gems.begin(), scene.gems.end(),
-                                    [](const Gem& g) { return g.crystal.absorbs(); });
-    n.faint_rays = alone && n.birefringent && clear && !forced.survivors;
+    n.blocks = n.engine == Engine::beams && !n.surroundings && !forced.pixels;
     return n;
 }
 

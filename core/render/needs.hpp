@@ -43,6 +43,7 @@ struct StoneNeeds {
     bool wavelengths = false;        ///< it treats them differently
     bool parts_wavelengths = false;  ///< and sends them different ways
     bool absorption = false;
+    bool faint_rays = false;  ///< beams that survive by chance may go on as rays
 };
 
 struct Needs {
@@ -52,9 +53,8 @@ struct Needs {
     bool stokes = false;
     bool tree = false;  ///< so many objects that Embree finds them sooner
     bool surroundings =
-        false;                ///< light that leaves a stone meets more than a smooth sky and lamps
-    bool blocks = false;      ///< beams may follow pixels together
-    bool faint_rays = false;  ///< beams that survive by chance may go on as rays
+        false;            ///< light that leaves a stone meets more than a smooth sky and lamps
+    bool blocks = false;  ///< beams may follow pixels together
     Engine engine = Engine::rays;
     std::string obstacle;        ///< why beams cannot make the picture; empty when they can
     std::string exact_obstacle;  ///< the same of exact beams

@@ -126,13 +126,17 @@ PlanLine pixels(const Needs& n) {
 
 PlanLine survivors(const Needs& n) {
     if (n.engine != Engine::beams) return {"survivors", "none", "no beam ends by chance"};
-    if (n.faint_rays) {
+    const auto any = [&](bool StoneNeeds::*property) {
+        return std::any_of(n.stones.begin(), n.stones.end(),
+                           [&](const StoneNeeds& s) { return s.beams && s.*property; });
+    };
+    if (any(&StoneNeeds::faint_rays)) {
         return {"survivors", "rays",
-                "faint beams of a crystal go on as rays, " + std::to_string(RayLanes::size) +
+                "faint beams of clear crystals go on as rays, " + std::to_string(RayLanes::size) +
                     " side by side"};
     }
-    const char* why = !n.birefringent      ? "what survives by chance in one mode is little"
-                      : n.surroundings     ? "what leaves the stone meets more than a sky"
+    const char* why = !any(&StoneNeeds::birefringent)
+                          ? "what survives by chance in one mode is little"
                       : n.forced.survivors ? asked
                                            : "a coloured crystal's light fades along them";
     return {"survivors", "beams", why};
