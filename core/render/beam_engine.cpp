@@ -14,62 +14,9 @@
 #include "render/sky_spectrum.hpp"
 #include "render/sky_sum.hpp"
 #include "render/survivors.hpp"
-#include "render/visibility.hpp"
 #include "render/walker.hpp"
 
 namespace icespar {
-
-struct BeamScene::Stones {
-    std::vector<FacetSearch> facets;
-    std::vector<Footprint> footprints;
-    std::vector<Visibility> visibility;
-};
-
-BeamScene::BeamScene(const World& world, const Needs& needs, int width, int height)
-    : world_(world),
-      needs_(needs),
-      width_(width),
-      height_(height),
-      stones_(std::make_unique<Stones>()) {
-    const Scene& scene = world.scene();
-    for (std::size_t i = 0; i < scene.gems.size(); ++i) {
-        const Stone& stone = scene.gems[i].stone;
-        stones_->facets.emplace_back(stone);
-        stones_->footprints.emplace_back(stone, scene.camera, width, height);
-        stones_->visibility.emplace_back(world, static_cast<int>(i), width, height);
-    }
-}
-
-BeamScene::~BeamScene() = default;
-
-int BeamScene::block_side(int samples) const {
-    if (!needs_.blocks) return 1;
-    const Camera& camera = world_.scene().camera;
-    if (camera.kind == Camera::Kind::orthographic) return BeamEngine::most_across;
-    // Directions are expanded to first order, so that what falls into a wrong pixel grows with a
-    // pixel's angle and the square of the side. It stays well below the noise (docs/method.md).
-    constexpr double noise = 3.2, slope = 0.8;
-    const double angle = std::max(length(camera.right) / width_, length(camera.up) / height_) /
-                         length(camera.direction);
-    const double most = noise * std::pow(samples, -slope) / angle;
-    int side = BeamEngine::most_across;
-    while (side > 1 && side * side > most) side /= 2;
-    return side;
-}
-
-bool BeamScene::tells_error() const { return !needs_.surroundings; }
-
-int BeamScene::stone_at(int x, int y) const {
-    int found = -1;
-    for (std::size_t i = 0; i < stones_->footprints.size(); ++i) {
-        if (!stones_->footprints[i].frame().holds(x, y)) continue;
-        if (found >= 0 || !needs_.stones[i].beams || stones_->visibility[i].doubtful(x, y)) {
-            return by_rays;
-        }
-        found = static_cast<int>(i);
-    }
-    return found >= 0 ? found : needs_.surroundings ? by_rays : sky;
-}
 
 struct BeamEngine::Kernels {
     virtual ~Kernels() = default;
@@ -482,11 +429,11 @@ BeamEngine::BeamEngine(const BeamScene& scene, const Palette& palette,
                        const WavelengthSampler& wavelengths, int bands) {
     if (scene.needs_.stokes) {
         kernels_ = std::make_unique<PixelBeams<FullResponse>>(scene.world_, scene.needs_,
-                                                              *scene.stones_, palette, wavelengths,
+                                                              scene.stones_, palette, wavelengths,
                                                               bands, scene.width_, scene.height_);
     } else {
         kernels_ = std::make_unique<PixelBeams<IntensityResponse>>(
-            scene.world_, scene.needs_, *scene.stones_, palette, wavelengths, bands, scene.width_,
+            scene.world_, scene.needs_, scene.stones_, palette, wavelengths, bands, scene.width_,
             scene.height_);
     }
 }
