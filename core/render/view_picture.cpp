@@ -58,6 +58,14 @@ public:
         const Crystal& crystal = scene.gems[0].crystal;
         parts_ = crystal.dispersive() && options.samples > 0 ? options.samples : parts_of(crystal);
         batches_ = (parts_ + ViewPainter::batch - 1) / ViewPainter::batch;
+        if (options.error > 0 && options.seconds == 0) first_pass_ = 0.9;
+    }
+
+    /// What is known between passes towards an error.
+    void tell(double error, double wanted) {
+        state_.error = error;
+        const double share = std::min(1.0, wanted / error * wanted / error);
+        state_.done = std::max(state_.done, first_pass_ + (1 - first_pass_) * share);
     }
 
     [[nodiscard]] bool stopped() const { return stop_; }
@@ -114,7 +122,7 @@ private:
             out.whole.add(painted[i]);
         }
         out.wavelengths += count;
-        state_.done = std::max(state_.done, static_cast<double>(out.wavelengths) / parts_);
+        state_.done = std::max(state_.done, first_pass_ * out.wavelengths / parts_);
         return true;
     }
 
@@ -158,6 +166,7 @@ private:
     tbb::task_arena arena_;
     int parts_ = 1, batches_ = 1;
     Progress state_;
+    double first_pass_ = 1;  ///< of what is to be done: others may be needed to reach an error
     std::atomic<bool> stop_{false};
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
     std::thread::id own_thread_ = std::this_thread::get_id();
@@ -190,6 +199,7 @@ ViewPicture add_view(const Scene& scene, const Palette& palette,
         const bool wanted = options.error > 0 && options.seconds == 0;
         if (!wanted || drawing.stopped() || !(drawn.error > options.error)) break;
         constexpr double margin = 0.95;
+        drawing.tell(drawn.error, options.error);
         const double ratio = options.error / drawn.error;
         RenderOptions rest = options;
         rest.error = margin * options.error / std::sqrt(1 - ratio * ratio) / told;
