@@ -123,7 +123,7 @@ bool FaintRays::step() {
         Random random(ray.seed);
         lanes_.chance[lane] = random.uniform();
         ray.seed = random.state();
-        lanes_.most[lane] = ++ray.hits < patient ? 1 : patience;
+        lanes_.most[lane] = ++ray.hits < patient || whole_ ? 1 : patience;
     }
     if (active == 0) return false;
     events_ += static_cast<std::uint64_t>(active);
@@ -140,7 +140,10 @@ bool FaintRays::arrive(int lane) {
     const bool alive = lanes_.solved[lane] != 0 ? lanes_.alive[lane] != 0 : meet(lane);
     busy_[i] = alive && (most_hits_ == 0 || rays_[i].hits < most_hits_);
     if (alive && !busy_[i]) lost_ += lanes_.weight[lane];
-    return lanes_.passed[lane] > 0;
+    const bool passes = lanes_.passed[lane] > 0;
+    if (!whole_) return passes;
+    if (!alive && !passes) lost_ += 1;
+    return !alive && passes;
 }
 
 FaintRays::Exit FaintRays::exit(int lane) const {
@@ -149,12 +152,13 @@ FaintRays::Exit FaintRays::exit(int lane) const {
     return {get(lanes_.position, lane),
             k,
             get(lanes_.out_fan, lane),
-            lanes_.passed[lane],
+            whole_ ? 1 : lanes_.passed[lane],
             cross(facets_.normal(static_cast<int>(lanes_.left[lane])), k),
             lanes_.out_s[lane],
             lanes_.out_p[lane],
             ray.hits,
-            ray.owner};
+            ray.owner,
+            static_cast<int>(lanes_.left[lane])};
 }
 
 }  // namespace icespar

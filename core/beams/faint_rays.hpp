@@ -39,6 +39,7 @@ public:
         double out_s,
             out_p;  ///< in proportion to the amplitudes of what a mode of amplitude 1 sends
         int hits, owner;
+        int facet;  ///< by which it leaves
     };
     void add(const Ray& ray) { waiting_.push_back(ray); }
 
@@ -47,6 +48,22 @@ public:
     /// faces, if that is not 0. Returns the weight given up.
     template <class See>
     double follow(double threshold, int most_hits, const See& see, Lanes width = widest_lanes()) {
+        whole_ = false;
+        return run(threshold, most_hits, see, width);
+    }
+    /// The same for rays of weight 1 that leave the stone once, whole: what passes at a face and
+    /// what stays have chances as their powers.
+    template <class See>
+    double follow_whole(int most_hits, const See& see, Lanes width = widest_lanes()) {
+        whole_ = true;
+        return run(1, most_hits, see, width);
+    }
+
+    [[nodiscard]] std::uint64_t events() const { return events_; }  ///< of all so far
+
+private:
+    template <class See>
+    double run(double threshold, int most_hits, const See& see, Lanes width) {
         begin(threshold, most_hits, width);
         while (step()) {
             for (int lane = 0; lane < RayLanes::size; ++lane) {
@@ -56,15 +73,11 @@ public:
         waiting_.clear();
         return lost_;
     }
-
-    [[nodiscard]] std::uint64_t events() const { return events_; }  ///< of all so far
-
-private:
     void begin(double threshold, int most_hits, Lanes width);
     void start(int lane, const Ray& ray);
     /// Fills lanes and takes them on by a face; false when none is left.
     [[nodiscard]] bool step();
-    /// Decides whether the ray goes on. True if something left the stone.
+    /// Decides whether the ray goes on. True if something left the stone, or the whole ray.
     [[nodiscard]] bool arrive(int lane);
     /// At the face that lanes did not solve: whether the ray goes on.
     [[nodiscard]] bool meet(int lane);
@@ -78,6 +91,7 @@ private:
     void (*step_)(const RayStone&, double, RayLanes&) = step_baseline;
     double threshold_ = 0;
     int most_hits_ = 0;
+    bool whole_ = false;
     std::array<Ray, RayLanes::size> rays_{};
     std::array<bool, RayLanes::size> busy_{};
     std::vector<Ray> waiting_;

@@ -61,8 +61,9 @@ struct ViewOptions {
     int max_hits = 0;    ///< interface events of a path, the entry being the first; 0: any number
     /// What is left is then sampled, by beams if outlines are asked for and by the paths of single
     /// rays else, so that radiances from 0 to 1 add up to within about this standard error, but by
-    /// no more beams or paths than `sample_effort` times those that were followed exactly; 0: it is
-    /// left.
+    /// no more beams or paths than `sample_effort` times those that were followed exactly, or four
+    /// times that where lanes follow paths side by side (clear uniaxial stones, intensity); 0: it
+    /// is left.
     double error = 0, sample_effort = 1;
     /// Of light that enters by this facet, too, alone and as a part of its area.
     std::optional<int> error_of{};

@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "beams/carry.hpp"
+#include "beams/faint_rays.hpp"
 #include "beams/fresnel.hpp"
 #include "beams/response.hpp"
 #include "interface/inner_face.hpp"
@@ -40,7 +41,8 @@ public:
           options_(options),
           out_(out),
           facet_(options.error_of.value_or(-1)),
-          random_(options.seed) {}
+          random_(options.seed),
+          rays_(cells_.facets()) {}
 
     void run() {
         frame_.centre = cells_.facets().centre();
@@ -54,6 +56,8 @@ public:
         out_.entry_untraced = out_.entry_cut = out_.entry_area;
         symmetry_ = no_symmetry(stone_);
         measure();
+        together_ = side_by_side();
+        if (together_) rays_.set_medium(medium_);
         if (options_.symmetry && !options_.polarised && !options_.analyser) fold();
         out_.images = symmetry_.images;
         for (std::size_t i = 0; i < stone_.facets.size(); ++i) {
@@ -129,6 +133,12 @@ private:
         Beam next;  ///< else
     };
 
+    /// A path that is to be followed with others.
+    struct Gathered {
+        double weight, area;
+        int entry, group;
+    };
+
     [[nodiscard]] bool may_go_on() {
         if (options_.max_beams > 0 && out_.beams >= options_.max_beams) return false;
         if (out_.beams % beams_between_looks != 0) return true;
@@ -141,13 +151,16 @@ private:
     void look() { stopped_ = stopped_ || (options_.go_on && !options_.go_on()); }
 
     /// As little light is left as was asked for, or sampling it takes about as long as what was
-    /// done. A path takes as long as two beams, but since light is lost slowly when many were
-    /// followed, the whole takes least at about one path for each.
+    /// done.
     [[nodiscard]] bool wants_more() const {
         if (options_.bound) return waiting_ > *options_.bound * out_.area_total;
-        const double each = options_.outlines ? Sample::beams_a_survivor : 1;
+        const double each = options_.outlines ? Sample::beams_a_survivor : 1 / paths_a_beam();
         return each * survivors_wanted() > static_cast<double>(out_.beams);
     }
+
+    /// So many that they take twice as long, which is when the whole takes least: light is lost
+    /// slowly when many beams were followed.
+    [[nodiscard]] double paths_a_beam() const { return together_ ? 4 : 1; }
 
     /// Radiances from 0 to 1 have a standard deviation of a half at most.
     [[nodiscard]] double survivors_wanted() const {
@@ -194,7 +207,8 @@ private:
     void walk() {
         walking_ = true;
         out_.groups = PathStarts::groups;
-        const double most = options_.sample_effort * static_cast<double>(out_.beams);
+        const double most =
+            options_.sample_effort * paths_a_beam() * static_cast<double>(out_.beams);
         const double times = times_there(), elsewhere = waiting_ - waiting_there_;
         const double paths = std::max(std::min(survivors_wanted(), most), PathStarts::fewest) /
                              (elsewhere + times * waiting_there_);
@@ -204,9 +218,65 @@ private:
             PathStarts& starts = b.entry == facet_ ? there : others;
             for (int n = starts.of(b.weight()); n > 0; --n) {
                 group_ = starts.group();
-                walk(b, polygon, starts.spacing());
+                if (together_) {
+                    gather(b, polygon, starts.spacing());
+                } else {
+                    walk(b, polygon, starts.spacing());
+                }
             }
         });
+        if (together_) walk_gathered();
+    }
+
+    /// Whether nothing but directions and powers is asked of paths, so that lanes can follow them.
+    [[nodiscard]] bool side_by_side() const {
+        return crystal && !absorbing && std::is_same_v<Response, IntensityResponse> &&
+               closed_form_ && !options_.fan && !options_.turns && !options_.polarised &&
+               options_.max_hits == 0 && options_.least_power == 0;
+    }
+
+    void gather(const Beam& b, PolygonView polygon, double weight) {
+        const double u = random_.uniform(), v = random_.uniform();
+        FaintRays::Ray ray;
+        ray.position = b.place.at(point_in(polygon, u, v));
+        ray.k = b.k;
+        ray.field = b.s;
+        ray.weight = 1;
+        ray.seed = mixed(options_.seed ^ mixed(++paths_));
+        ray.left = b.left;
+        ray.hits = b.hits;
+        ray.owner = static_cast<int>(gathered_.size());
+        ray.extraordinary = b.mode == 1;
+        rays_.add(ray);
+        gathered_.push_back({weight, b.area, b.entry, group_});
+        constexpr std::size_t enough = 4096;
+        if (gathered_.size() == enough) walk_gathered();
+    }
+
+    void walk_gathered() {
+        double left = 0;
+        for (const Gathered& g : gathered_) left += g.weight;
+        look();
+        if (!stopped_) {
+            const std::uint64_t before = rays_.events();
+            beam_ = Beam{};
+            const double lost = rays_.follow_whole(longest_path, [&](const FaintRays::Exit& e) {
+                const Gathered& g = gathered_[static_cast<std::size_t>(e.owner)];
+                left -= g.weight;
+                beam_.area = g.area;
+                beam_.entry = g.entry;
+                beam_.left = e.facet;
+                beam_.hits = e.hits;
+                group_ = g.group;
+                Pair light;
+                light.scale(g.weight / g.area);
+                record(e.k, {}, {}, light);
+            });
+            out_.beams += rays_.events() - before;
+            if (!(lost > 0)) left = 0;
+        }
+        out_.residue += left;
+        gathered_.clear();
     }
 
     /// At each face one of what becomes of the light goes on for all of it, by its power.
@@ -650,6 +720,10 @@ private:
     bool walking_ = false;  ///< along paths
     Drawn drawn_{};
     double power_ = 0;  ///< of a path's light without what it carries for others
+    bool together_ = false;
+    FaintRays rays_;  ///< of paths that are followed side by side
+    std::vector<Gathered> gathered_;
+    std::uint64_t paths_ = 0;
 };
 
 }  // namespace icespar

@@ -1,4 +1,5 @@
 // What is left of a view's light when exact tracing ends, sampled.
+#include <array>
 #include <catch2/catch.hpp>
 
 #include "support/gem_scenes.hpp"
@@ -127,4 +128,42 @@ TEST_CASE("sampled numbers are right on average, and as far off as they say", "[
     CHECK(within_one > 0.6 * count);
     CHECK(within_one < 0.82 * count);
     CHECK(within_two > 0.9 * count);
+}
+
+TEST_CASE("paths side by side find the same light as paths one by one", "[views]") {
+    const Stone stone = brilliant_stone();
+    const auto table = table_facet(stone);
+    for (const Medium& medium : {Medium::uniaxial(2.6, 2.9, normalised(Vec3{1, 0, 1})),
+                                 Medium::uniaxial(1.658, 1.486, {0, 0, 1})}) {
+        // Of the light: from above, through the table, after few faces, by faces of low numbers.
+        constexpr int seeds = 40;
+        std::array<std::array<double, 4>, 2> sum{}, squares{};
+        for (int s = 0; s < 2 * seeds; ++s) {
+            const std::size_t alone = s % 2 == 1;
+            ViewOptions options = sampled_after(300);
+            options.seed = static_cast<std::uint64_t>(s);
+            options.turns = alone;  // which lanes do not know
+            const Exits e = trace_view(stone, medium, {{0.1, 0.23, -1}, {0, 1, 0}}, options);
+            CHECK(std::abs(listed(e) + e.residue - e.area_total) < 1e-12 * e.area_total);
+            std::array<double, 4> found{};
+            for (std::size_t i = 0; i < e.size(); ++i) {
+                const double light = e.weight[i].s0 * e.area[i] / e.area_total;
+                const bool kinds[] = {e.direction[i].z > 0.3, e.entry[i] == *table, e.hits[i] < 7,
+                                      e.facet[i] % 7 < 3};
+                for (std::size_t k = 0; k < 4; ++k) found[k] += kinds[k] ? light : 0;
+            }
+            for (std::size_t k = 0; k < 4; ++k) {
+                sum[alone][k] += found[k] / seeds;
+                squares[alone][k] += found[k] * found[k] / seeds;
+            }
+        }
+        for (std::size_t k = 0; k < 4; ++k) {
+            const auto variance = [&](std::size_t i) {
+                return (squares[i][k] - sum[i][k] * sum[i][k]) / seeds;
+            };
+            CAPTURE(k, sum[0][k], sum[1][k]);
+            CHECK(std::abs(sum[0][k] - sum[1][k]) <
+                  4 * std::sqrt(variance(0) + variance(1)) + 1e-12);
+        }
+    }
 }
