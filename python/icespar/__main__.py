@@ -73,7 +73,7 @@ def _parser() -> argparse.ArgumentParser:
         command.add_argument("--step", type=_positive, default=2.0, metavar="DEG", help="between tilts (default 2)")
         command.add_argument("--bound", type=_positive, default=0.1, metavar="POINTS", help="light not followed exactly, face-up (default 0.1)")
         command.add_argument(
-            "--error", type=_positive, default=0.01, metavar="POINTS", help="standard error face-up; tilted, 12 times that (default 0.01)"
+            "--error", type=_positive, default=0.01, metavar="POINTS", help="standard error face-up; tilted, 9 times that (default 0.01)"
         )
         command.add_argument("-o", "--output", type=pathlib.Path, metavar="FILE", help="the report: .html (or .json, .csv)")
         command.add_argument("--json", type=pathlib.Path, metavar="FILE", help="all numbers as JSON")

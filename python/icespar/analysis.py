@@ -33,7 +33,7 @@ from .performance import (
 )
 from .views import View
 
-TILTED = 12.0  #: so much larger is the error that is asked of tilted views
+TILTED = 9.0  #: so much larger is the error that is asked of tilted views
 COARSE = 10.0  #: between wavelengths of tilted views of a coloured stone, nm; 5 face-up
 
 
@@ -159,7 +159,7 @@ def analyse(
 ) -> Analysis:
     """Traces the gem face-up, until no more than `bound` of all light is left or many beams were followed, and samples the
     rest to the standard error `error`.
-    At each tilt about both axes numbers, also of the table, have an error of about 12 `error`, whatever their bound; of tilts that turns and mirrors
+    At each tilt about both axes numbers, also of the table, have an error of about 9 `error`, whatever their bound; of tilts that turns and mirrors
     of the stone make one of another one is traced.
 
     Stones are clear. With `colour` there are the numbers of the coloured stone besides, as `icespar.coloured` defines them.
