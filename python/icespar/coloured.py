@@ -47,7 +47,15 @@ def coloured(
     found = []
     for i, nm in enumerate(at.tolist()):
         seen = view(
-            gem.stone, gem.medium(nm), direction=-frame[2], up=frame[1], absorption=gem.absorption(nm), bound=None, error=each, seed=i
+            gem.stone,
+            gem.medium(nm),
+            direction=-frame[2],
+            up=frame[1],
+            absorption=gem.absorption(nm),
+            bound=None,
+            error=each,
+            seed=i,
+            table_error=True,
         )
         seen_numbers = numbers(seen, frame[2])
         passed = percent(seen.light_return(lambda d: np.ones(len(d))))
