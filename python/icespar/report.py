@@ -36,6 +36,8 @@ TITLES = {
     "fire": "Fire",
     "scintillation": "Scintillation",
 }
+#: Of each picture, relative to its mean: less cannot be seen on a page.
+PICTURE_ERROR = 0.05
 PICTURES = (
     ("lamps", (0, 0), "face-up, under a ring of lamps"),
     ("lamps", (20, 0), "the upper edge raised by 20\N{DEGREE SIGN}"),
@@ -247,7 +249,7 @@ def html(analyses: list[Analysis], size: int = 280, spp: int = 24) -> str:
 
 def _png(gem: Gem, light: str, tilt: tuple[float, float], size: int, spp: int) -> str:
     """A picture as a data URI. The instruments' colours are a code, so those show the clear stone without dispersion."""
-    picture = gem.picture(light, tilt, size=size, error=0.01, spp=spp, clear=light != "lamps")
+    picture = gem.picture(light, tilt, size=size, error=PICTURE_ERROR, spp=spp, clear=light != "lamps")
     return _uri("image/png", picture._repr_png_())
 
 
