@@ -191,7 +191,9 @@ def analyse(
         # The longest jobs first.
         straight = pool.submit(moving, gem, (0.0, 0.0), bound, error)
         tinted = pool.submit(coloured, gem, error=error) if colour else None
-        without = pool.submit(trace, gem, medium=plain, bound=bound, error=error) if plain is not None else None
+        without = None
+        if plain is not None:
+            without = pool.submit(trace, gem, medium=plain, bound=bound, error=error, table_error=True)
         for done, (same, result) in enumerate(zip(jobs.values(), pool.map(one, jobs.values()), strict=True), 1):
             for curve, axis, i in same:
                 getattr(found, curve)[axis][i] = result
