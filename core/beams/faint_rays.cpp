@@ -5,14 +5,11 @@
 #include <limits>
 
 #include "beams/carry.hpp"
+#include "beams/roulette.hpp"
 #include "interface/inner_face.hpp"
 
 namespace icespar {
 namespace {
-
-/// Light that is all but caught in the stone ends all the same.
-constexpr int patient = 1024;
-constexpr double patience = 0.9;
 
 void put(const Vec3& v, RayLanes::Row* rows, int lane) {
     rows[0][lane] = v.x;
@@ -120,10 +117,8 @@ bool FaintRays::step() {
         if (!busy_[i]) continue;
         ++active;
         Ray& ray = rays_[i];
-        Random random(ray.seed);
-        lanes_.chance[lane] = random.uniform();
-        ray.seed = random.state();
-        lanes_.most[lane] = ++ray.hits < patient || whole_ ? 1 : patience;
+        lanes_.chance[lane] = ray.random.uniform();
+        lanes_.most[lane] = ++ray.hits < Roulette::patient || whole_ ? 1 : Roulette::patience;
     }
     if (active == 0) return false;
     events_ += static_cast<std::uint64_t>(active);

@@ -27,7 +27,7 @@ public:
         Vec3 position, k, field;  ///< from the facets' centre; the mode's E, of unit length
         Vec3 fan;                 ///< dk/dc, if spectral
         double weight = 0;
-        std::uint64_t seed = 0;
+        Random random{0};
         int left = -1, hits = 0;  ///< the facet it goes on from, and its faces so far
         int owner = 0;            ///< whatever the caller knows it by
         bool extraordinary = false;

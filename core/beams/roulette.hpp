@@ -19,6 +19,11 @@ namespace icespar {
 class Roulette {
 public:
     static constexpr std::size_t most_pixels = 16;
+    /// Light that is all but caught in the stone, after so many faces, goes on with no greater
+    /// probability. What comes out this late is a few parts in a million, and gains weight on the
+    /// way.
+    static constexpr int patient = 1024;
+    static constexpr double patience = 0.9;
 
     void begin(std::uint64_t seed, double threshold) {
         threshold_ = threshold;
@@ -33,8 +38,6 @@ public:
     [[nodiscard]] double gain(double weight, int hits) {
         double survival = weight >= threshold_ ? 1 : weight / threshold_;
         if (hits >= patient) {
-            // Light that is all but caught in the stone. What comes out of this late is a few parts
-            // in a million, and gains weight on the way.
             if (survival > patience) survival = patience;
             return random_.uniform() < survival ? 1 / survival : 0;
         }
@@ -92,8 +95,6 @@ public:
     }
 
 private:
-    static constexpr int patient = 1024;
-    static constexpr double patience = 0.9;
     struct Seen {
         double last = 0, sum = 0, differences = 0;
     };

@@ -6,15 +6,16 @@
 #include <type_traits>
 #include <vector>
 
+#include "beams/beam_list.hpp"
 #include "beams/block.hpp"
 #include "beams/carry.hpp"
 #include "beams/facet_search.hpp"
+#include "beams/fading.hpp"
 #include "beams/faint_rays.hpp"
 #include "beams/fresnel.hpp"
 #include "beams/index_surface.hpp"
 #include "beams/leaf.hpp"
 #include "beams/response.hpp"
-#include "crystal/loss.hpp"
 #include "interface/inner_face.hpp"
 
 namespace icespar {
@@ -34,7 +35,7 @@ namespace icespar {
 ///                       instead, which do not fade
 ///   survive(hits, response)
 ///                       as how many
-///   send(ray, pixel)    one of them, to which the sink gives its seed and owner
+///   send(ray, pixel)    one of them, to which the sink gives its luck and owner
 ///   uniform()           a random number
 ///   see(leaf)
 ///   transmit(lengths)   only if absorbing: the mean over the beam's colours of what absorption has
@@ -54,11 +55,7 @@ public:
     void set_medium(const Medium& medium, double dn_o = 0, double dn_e = 0) {
         medium_ = medium;
         surface_ = IndexSurface(medium, dn_o, dn_e);
-        if constexpr (absorbing && birefringent) {
-            const RealTensor along = dyad(medium.axis);
-            across_ = medium.n_o * (RealTensor::diagonal(1, 1, 1) + -1.0 * along);
-            along_ = medium.n_e * along;
-        }
+        if constexpr (absorbing) fading_.set_medium(medium);
     }
 
     /// The pixels that the footprint covers, and by how much of a pixel's light its beams' power
@@ -78,17 +75,17 @@ public:
         bool chosen = false;
         std::size_t base = 0;
         int depth = 0;
-        while (alive_ || !beams_.empty()) {
-            if (!alive_) pop();
+        while (alive_ || !waiting_.beams.empty()) {
+            if (!alive_) waiting_.pop(beam_, polygon_);
             alive_ = false;
             if (beam_.chosen && !chosen) {
                 chosen = true;
-                base = beams_.size();
+                base = waiting_.beams.size();
                 depth = beam_.hits;
                 sink.open();
             }
             advance(sink);
-            if (chosen && !alive_ && beams_.size() == base) {
+            if (chosen && !alive_ && waiting_.beams.size() == base) {
                 chosen = false;
                 sink.close(depth);
             }
@@ -102,8 +99,8 @@ private:
 
     struct Nothing {};
     using Fan = std::conditional_t<spectral, Vec3, Nothing>;
-    using Lengths =
-        std::conditional_t<absorbing, std::array<Affine, birefringent ? 3 : 1>, Nothing>;
+    using Fading = std::conditional_t<absorbing, FadingLengths<birefringent>, Nothing>;
+    using Lengths = std::conditional_t<absorbing, LengthsOf<birefringent>, Nothing>;
     struct Absorbed {
         Lengths lengths{};
         double left = 1;
@@ -123,7 +120,7 @@ private:
         int hits;
         bool extraordinary;
         bool chosen;  ///< it, or one it comes from, survived by chance
-        int corners;  ///< on top of the stack of corners, relative to `centre`
+        int corners;  ///< in waiting_; they are relative to `centre`
         int bases;    ///< facets whose fragments have been cut off already: a chain in bases_
     };
     struct Base {
@@ -149,7 +146,7 @@ private:
         }
         alive_ = last;
         if (last) return;
-        push(beam_, polygon_);
+        waiting_.push(beam_, polygon_);
         beam_.chosen = before;
     }
 
@@ -175,19 +172,6 @@ private:
             ray.extraordinary = beam_.extraordinary;
             sink.send(ray, block_.holding(beam_.centre + p));
         }
-    }
-
-    void push(Beam& beam, PolygonView polygon) {
-        beam.corners = static_cast<int>(polygon.size());
-        beams_.push_back(beam);
-        corners_.insert(corners_.end(), polygon.begin(), polygon.end());
-    }
-
-    void pop() {
-        beam_ = beams_.back();
-        beams_.pop_back();
-        polygon_.assign(corners_.end() - beam_.corners, corners_.end());
-        corners_.resize(corners_.size() - static_cast<std::size_t>(beam_.corners));
     }
 
     /// Moves the expansions to the polygon's centroid and its corners with them. False when nothing
@@ -257,7 +241,7 @@ private:
                 if (recentre(off, piece_)) {
                     bases_.push_back({facet, beam_.bases});
                     off.bases = static_cast<int>(bases_.size()) - 1;
-                    push(off, piece_);
+                    waiting_.push(off, piece_);
                 }
                 if (polygon_.empty()) break;
             }
@@ -269,7 +253,11 @@ private:
                 dot(normal, flow.value);
             there = arrival(beam_.position, flow, normal, t);
         }
-        const Lengths lengths = lengths_to(flow, normal, t);
+        Lengths lengths{};
+        if constexpr (absorbing) {
+            lengths = fading_.onward(beam_.absorbed.lengths, beam_.position, beam_.k.value, beam_.s,
+                                     flow, normal, t);
+        }
         if (uneven(normal, lengths, sink) && part_by_pixel()) return;
         if constexpr (absorbing) absorb(lengths, sink);
         beam_.position = there;
@@ -319,36 +307,9 @@ private:
               rest_, piece_);
         for (Polygon* part : {&rest_, &piece_}) {
             Beam side = beam_;
-            if (recentre(side, *part)) push(side, *part);
+            if (recentre(side, *part)) waiting_.push(side, *part);
         }
         return true;
-    }
-
-    /// Of the beam, on the way along `flow` to a plane that is `t` away. What grazes a facet may be
-    /// expanded to lengths below 0, along which light would grow.
-    [[nodiscard]] Lengths lengths_to(const Expansion& flow, const Vec3& normal, double t) const {
-        if constexpr (absorbing) {
-            const double speed = -1 / dot(normal, flow.value);
-            const Expansion& from = beam_.position;
-            const double dx = speed * dot(normal, from.dx + t * flow.dx),
-                         dy = speed * dot(normal, from.dy + t * flow.dy);
-            Lengths lengths = beam_.absorbed.lengths;
-            const auto add = [&](std::size_t i, double rate) {
-                Affine& length = lengths[i];
-                length = {length.value + rate * std::max(0.0, t), length.dx + rate * dx,
-                          length.dy + rate * dy};
-            };
-            if constexpr (birefringent) {
-                add(0, loss_along(across_, beam_.s, beam_.k.value, flow.value));
-                add(1, loss_along(along_, beam_.s, beam_.k.value, flow.value));
-                add(2, length(flow.value));
-            } else {
-                add(0, medium_.n_o);
-            }
-            return lengths;
-        } else {
-            return {};
-        }
     }
 
     template <class Sink>
@@ -524,9 +485,8 @@ private:
     const FacetSearch& facets_;
     Medium air_, medium_;
     IndexSurface surface_{medium_};
-    RealTensor across_{}, along_{};  ///< losses of unit absorption, across the axis and along it
-    std::vector<Beam> beams_;
-    Polygon corners_;
+    [[no_unique_address]] Fading fading_;
+    BeamList<Beam> waiting_;
     std::vector<Base> bases_;
     Beam beam_{};         ///< with polygon_: the one being followed
     bool alive_ = false;  ///< it goes on

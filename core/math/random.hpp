@@ -22,9 +22,6 @@ public:
         return static_cast<double>(mixed(state_) >> 11) * 0x1p-53;
     }
 
-    /// From which another goes on.
-    [[nodiscard]] std::uint64_t state() const { return state_; }
-
 private:
     std::uint64_t state_;
 };

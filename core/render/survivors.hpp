@@ -21,7 +21,7 @@ public:
     /// Of the last survivor.
     void send(FaintRays::Ray ray, std::size_t pixel, std::uint64_t seed, FaintRays& rays) {
         ray.owner = static_cast<int>(owners_.size());
-        ray.seed = seed;
+        ray.random = Random(seed);
         owners_.push_back({survivors_.size() - 1, pixel});
         rays.add(ray);
     }

@@ -5,38 +5,10 @@
 #include <array>
 #include <bit>
 #include <cstdint>
-#include <vector>
 
-#include "beams/polygon.hpp"
+#include "beams/beam_list.hpp"
 
 namespace icespar {
-
-/// Beams with their polygons one behind the other; `corners` of a beam is how many its has.
-template <class Beam>
-struct BeamList {
-    std::vector<Beam> beams;
-    Polygon corners;
-
-    void push(Beam beam, PolygonView polygon) {
-        beam.corners = static_cast<int>(polygon.size());
-        beams.push_back(beam);
-        corners.insert(corners.end(), polygon.begin(), polygon.end());
-    }
-    void clear() {
-        beams.clear();
-        corners.clear();
-    }
-    /// Calls visit(beam, polygon) in the order of pushing.
-    template <class Visit>
-    void each(Visit&& visit) const {
-        std::size_t from = 0;
-        for (const Beam& b : beams) {
-            const auto count = static_cast<std::size_t>(b.corners);
-            visit(b, PolygonView(corners.data() + from, count));
-            from += count;
-        }
-    }
-};
 
 /// Weights lie in (0, 1] and those that are pushed never exceed the last one popped, but for
 /// rounding.
@@ -56,11 +28,7 @@ public:
             }
             classes_[first_ - 1] = {};
         }
-        BeamList<Beam>& c = classes_[first_];
-        beam = c.beams.back();
-        c.beams.pop_back();
-        polygon.assign(c.corners.end() - beam.corners, c.corners.end());
-        c.corners.resize(c.corners.size() - static_cast<std::size_t>(beam.corners));
+        classes_[first_].pop(beam, polygon);
         return true;
     }
 

@@ -54,7 +54,7 @@ std::vector<FaintRays::Ray> rays_from(const Stone& stone, const FacetSearch& fac
         rays.push_back(ray_from(stone, facets, medium,
                                 random.below(static_cast<int>(stone.facets.size())), random));
         rays.back().owner = i;
-        rays.back().seed = mixed(static_cast<std::uint64_t>(i));
+        rays.back().random = icespar::Random(mixed(static_cast<std::uint64_t>(i)));
     }
     return rays;
 }
@@ -130,7 +130,7 @@ TEST_CASE("roulette gives back on average what it takes", "[beams][faint]") {
     double sum = 0, square = 0;
     for (int i = 0; i < times; ++i) {
         for (FaintRays::Ray ray : starts) {
-            ray.seed = mixed(ray.seed + static_cast<std::uint64_t>(1000 * i));
+            ray.random = icespar::Random(mixed(static_cast<std::uint64_t>(1000 * i + ray.owner)));
             rays.add(ray);
         }
         double out = 0;
